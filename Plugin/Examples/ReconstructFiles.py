@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reconstruct a surface from three files of contours, save it and a picture of it:
+
+    pvpython ReconstructFiles.py x.vtp y.vtp z.vtp surface.vtp picture.png [OrthogonalSlices.so]
+
+The files hold contours on planes of constant x, y and z. The picture shows the contours on the left
+and the surface on the right. Without the path of the plugin, the folder in which it lies has to be
+in PV_PLUGIN_PATH. ParaView needs a display; without one, put xvfb-run -a -s -noreset in front.
+"""
+
+import sys
+
+from paraview import servermanager, simple
+
+BACKGROUND = [1.0, 1.0, 1.0]
+SURFACE = [0.89, 0.80, 0.66]
+AXES = [[0.80, 0.22, 0.18], [0.16, 0.55, 0.25], [0.18, 0.36, 0.72]]
+
+
+def load_plugin(path=None):
+    if path:
+        simple.LoadPlugin(path, remote=False, ns=simple.__dict__)
+    elif not hasattr(simple, "OrthogonalSliceReconstruction"):
+        simple.LoadDistributedPlugin("OrthogonalSlices", remote=False, ns=simple.__dict__)
+
+
+def reconstruct(files):
+    readers = [simple.XMLPolyDataReader(FileName=[name]) for name in files]
+    surface = simple.OrthogonalSliceReconstruction(
+        XSlices=readers[0], YSlices=readers[1], ZSlices=readers[2])
+    surface.UpdatePipeline()
+    return readers, surface
+
+
+def report(surface):
+    data = servermanager.Fetch(surface, idx=0)
+    print(f"{data.GetNumberOfPoints()} points, {data.GetNumberOfCells()} triangles")
+    fields = data.GetFieldData()
+    for index in range(fields.GetNumberOfArrays()):
+        array = fields.GetArray(index)
+        if array and array.GetNumberOfTuples() == 1:
+            print(f"{array.GetName()}: {array.GetValue(0)}")
+
+
+def make_view():
+    view = simple.CreateRenderView()
+    view.UseColorPaletteForBackground = 0
+    view.Background = BACKGROUND
+    view.OrientationAxesVisibility = 0
+    return view
+
+
+def show(source, view, color, **properties):
+    display = simple.Show(simple.OutputPort(source, 0), view)
+    simple.ColorBy(display, None)
+    display.AmbientColor = display.DiffuseColor = color
+    for name, value in properties.items():
+        setattr(display, name, value)
+
+
+def save_picture(readers, surface, picture):
+    """Both views look from the same place: obliquely, with z upwards."""
+    contours, result = make_view(), make_view()
+    for reader, color in zip(readers, AXES):
+        show(reader, contours, color, LineWidth=2.0)
+    show(surface, result, SURFACE, Specular=0.2)
+    for view in (contours, result):
+        view.CameraPosition = [1.0, -2.0, 0.8]
+        view.CameraFocalPoint = [0.0, 0.0, 0.0]
+        view.CameraViewUp = [0.0, 0.0, 1.0]
+        simple.ResetCamera(view)
+        view.CenterAxesVisibility = 0
+
+    layout = simple.CreateLayout("Picture")
+    layout.AssignView(0, contours)
+    layout.SplitHorizontal(0, 0.5)
+    layout.AssignView(2, result)
+    layout.SetSize(1600, 800)
+    for view in (contours, result):
+        simple.ResetCamera(view)
+    simple.SaveScreenshot(picture, layout, ImageResolution=[1600, 800])
+
+
+def main(x, y, z, surface_file, picture, plugin=None):
+    load_plugin(plugin)
+    readers, surface = reconstruct((x, y, z))
+    report(surface)
+    simple.SaveData(surface_file, proxy=simple.OutputPort(surface, 0))
+    save_picture(readers, surface, picture)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (6, 7):
+        sys.exit(__doc__)
+    main(*sys.argv[1:])

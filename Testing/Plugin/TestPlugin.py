@@ -1,0 +1,146 @@
+# SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""pvpython TestPlugin.py <plugin> <Data>: both filters, their properties and outputs."""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+from paraview import simple
+
+from PluginChecks import (
+    check,
+    check_closed,
+    check_files,
+    check_sphere,
+    fetch,
+    field_value,
+    load_plugin,
+    reconstruct_sliced,
+    sphere,
+)
+
+
+def check_defaults():
+    slicer = simple.OrthogonalSlicer(Input=sphere())
+    expected = {
+        "PlaneMode": "By Number",
+        "NumberOfSlices": [32, 32, 32],
+        "Spacing": [1.0, 1.0, 1.0],
+        "XCoordinates": [],
+        "YCoordinates": [],
+        "ZCoordinates": [],
+        "UseLabel": 0,
+        "LabelValue": 1,
+        "OutputPointsPrecision": "Same as input",
+    }
+    compare_defaults(slicer, expected)
+    expected = {
+        "Orientation": "By Nesting",
+        "InvalidContours": "Refuse",
+        "PlaneTolerance": 1e-5,
+        "CentralPoint": "Least Squares",
+        "ComputeNormals": 1,
+        "OutputPointsPrecision": "Same as input",
+    }
+    compare_defaults(reconstruct_sliced(slicer), expected)
+
+
+def compare_defaults(proxy, expected):
+    for name, value in expected.items():
+        found = proxy.GetPropertyValue(name)
+        found = list(found) if isinstance(value, list) else found
+        check(found == value, f"{name} is {found}, not {value}")
+
+
+def check_documentation():
+    """Each property says in the panel what it does, and its default or that it is required."""
+    slicer = simple.OrthogonalSlicer(Input=sphere())
+    for proxy in (slicer, reconstruct_sliced(slicer)):
+        for name in proxy.ListProperties():
+            text = proxy.GetProperty(name).SMProperty.GetDocumentation()
+            text = text.GetDescription() if text else ""
+            check("Default" in text or "Required" in text or "Must" in text,
+                f"{name} is documented as '{text}'")
+
+
+def check_outputs():
+    slicer = simple.OrthogonalSlicer(Input=sphere(), NumberOfSlices=[9, 10, 11])
+    rec = reconstruct_sliced(slicer)
+    for proxy, names in ((slicer, ("XSlices", "YSlices", "ZSlices")),
+                         (rec, ("Surface", "Graph", "Histogram"))):
+        found = tuple(proxy.SMProxy.GetOutputPortName(k) for k in range(3))
+        check(found == names, f"the outputs are named {found}")
+    for port, planes in enumerate((9, 10, 11)):
+        contours = fetch(slicer, port).GetNumberOfLines()
+        check(contours == planes, f"{contours} contours on {planes} planes of a sphere")
+
+    surface, graph, histogram = (fetch(rec, port) for port in range(3))
+    check(field_value(surface, "NumberOfContours") == 30, "the number of contours is wrong")
+    nodes = field_value(surface, "NumberOfNodePoints")
+    check(graph.GetNumberOfVerts() == nodes, "the graph has other node points than the surface")
+    check(graph.GetCellData().HasArray("Disagreement"), "the graph has no Disagreement")
+    sizes, counts = (histogram.GetColumnByName(name) for name in ("PolygonSize", "Count"))
+    sides = sum(sizes.GetValue(k) * counts.GetValue(k) for k in range(sizes.GetNumberOfTuples()))
+    arcs = graph.GetNumberOfLines() - field_value(surface, "NumberOfIsolatedContours")
+    check(sides == 2 * arcs, f"{sides} sides of polygons on {arcs} arcs")
+
+
+def check_properties_reach_the_filters():
+    slicer = simple.OrthogonalSlicer(Input=sphere())
+    slicer.PlaneMode = "By Spacing"
+    slicer.Spacing = [0.25, 0.25, 0.5]
+    contours = [fetch(slicer, port).GetNumberOfLines() for port in range(3)]
+    check(contours == [8, 8, 4], f"by spacing: {contours} contours")
+    slicer.PlaneMode = "By Coordinates"
+    slicer.XCoordinates = [-0.5, 0.0, 0.5]
+    slicer.YCoordinates = [0.5, -0.25]
+    slicer.ZCoordinates = [0.1]
+    contours = [fetch(slicer, port).GetNumberOfLines() for port in range(3)]
+    check(contours == [3, 2, 1], f"by coordinates: {contours} contours")
+
+    slicer.PlaneMode = "By Number"
+    rec = reconstruct_sliced(slicer, ComputeNormals=0, OutputPointsPrecision="Double")
+    surface = fetch(rec)
+    check(surface.GetPointData().GetNormals() is None, "normals though switched off")
+    check(surface.GetPoints().GetDataType() == 11, "the points are not double")
+    smooth = surface.GetCenter(), surface.GetLength()
+    rec.CentralPoint = "Centroid"
+    rec.Orientation = "As Drawn"
+    surface = fetch(rec)
+    check_closed(surface, components=1)
+    check(smooth != (surface.GetCenter(), surface.GetLength()) or surface.GetNumberOfPoints() > 0,
+        "no surface with the other modes")
+
+
+def check_image():
+    """An image with the defaults, and one of its labels."""
+    wavelet = simple.Wavelet()
+    slicer = simple.OrthogonalSlicer(Input=wavelet)
+    bounds = wavelet.PointData["RTData"].GetRange()
+    middle = (bounds[0] + bounds[1]) / 2
+    check(abs(slicer.IsoValue - middle) < 1e-3, f"the iso-value starts at {slicer.IsoValue}")
+    surface = fetch(reconstruct_sliced(slicer))
+    check(surface.GetNumberOfCells() > 0, "no surface of the image")
+
+    labels = simple.Calculator(Input=wavelet, ResultArrayName="Label",
+        Function="(coordsX^2 + coordsY^2 + coordsZ^2 < 50) * 3")
+    slicer = simple.OrthogonalSlicer(Input=labels, Scalars=["POINTS", "Label"], UseLabel=1,
+        LabelValue=3)
+    check_closed(fetch(reconstruct_sliced(slicer)), components=1)
+
+
+def main(plugin, data):
+    load_plugin(plugin, remote=False)
+    check_defaults()
+    check_documentation()
+    check_sphere()
+    check_outputs()
+    check_properties_reach_the_filters()
+    check_image()
+    check_files(data, "heart", "n16")
+    print("plugin: all checks passed")
+
+
+main(*sys.argv[1:3])

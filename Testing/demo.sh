@@ -1,0 +1,45 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# bash Testing/demo.sh [case [slices]]
+# Builds the plugin, reconstructs a data set of Data/ in ParaView (default: heart n32) and leaves in
+# build/demo the surface, the table of figures of merit and a picture. Made for a bare Debian 12:
+# installs what is missing.
+
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+source Testing/install-dependencies.sh
+
+case=${1:-heart}
+slices=${2:-n32}
+folder=build/paraview
+out=build/demo
+
+mkdir -p "$out"
+install_dependencies
+echo "-- Building $folder"
+if ! cmake -G Ninja -S . -B "$folder" -DPython3_EXECUTABLE=/usr/bin/python3 -Wno-dev \
+  > "$folder.log" 2>&1; then
+  cat "$folder.log"
+  exit 1
+fi
+targets=(OrthogonalSlices)
+if [ -e Testing/Baselines/CompareMethods.cxx ]; then
+  targets+=(CompareMethods)
+fi
+ninja -C "$folder" -j "$(nproc)" "${targets[@]}"
+
+echo "-- Reconstructing $case from Data/$case/${slices}_{x,y,z}.vtp"
+xvfb-run -a -s "-noreset -screen 0 1600x1200x24" pvpython Plugin/Examples/ReconstructFiles.py \
+  "Data/$case/${slices}_x.vtp" "Data/$case/${slices}_y.vtp" "Data/$case/${slices}_z.vtp" \
+  "$out/$case.vtp" "$out/$case.png" \
+  "$(find "$folder/lib" -name OrthogonalSlices.so)"
+
+if [ -x "$folder/bin/CompareMethods" ]; then
+  echo "-- Comparing with other methods"
+  "$folder/bin/CompareMethods" "$case" "$slices" | tee "$out/$case.txt"
+fi
+
+echo "-- Results:"
+ls -l "$out"

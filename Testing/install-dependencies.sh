@@ -1,0 +1,59 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Installs what the project is built and tested with on Debian 12, if it is missing.
+
+install_packages()
+{
+  local missing=()
+  local package
+  for package in "$@"; do
+    if [ "$(dpkg-query -W -f='${Status}' "$package" 2> /dev/null)" != "install ok installed" ]; then
+      missing+=("$package")
+    fi
+  done
+  if [ ${#missing[@]} -eq 0 ]; then
+    return 0
+  fi
+
+  echo "-- Installing ${missing[*]}"
+  local sudo=
+  if [ "$(id -u)" -ne 0 ]; then
+    sudo=sudo
+  fi
+  $sudo apt-get -qq update
+  $sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends \
+    -o Dpkg::Use-Pty=0 "${missing[@]}" > /dev/null
+}
+
+# Compiler, CMake, GoogleTest and ParaView with its development files.
+install_dependencies()
+{
+  install_packages g++ cmake ninja-build python3-dev libgtest-dev libcgal-dev libopenmpi-dev \
+    openmpi-bin paraview paraview-dev python3-paraview libtbb-dev xvfb xauth
+}
+
+# Plain VTK in the folder $1. Debian refuses to install it beside ParaView's Python, so its packages
+# are unpacked there.
+unpack_vtk()
+{
+  local prefix=$1
+  if [ -e "$prefix/complete" ]; then
+    return 0
+  fi
+
+  echo "-- Unpacking plain VTK into $prefix"
+  rm -rf "$prefix"
+  mkdir -p "$prefix/packages"
+  (
+    cd "$prefix/packages"
+    download="apt-get -qq -o APT::Sandbox::User=root download libvtk9-dev libvtk9.1 python3-vtk9 vtk9"
+    $download 2> /dev/null || { apt-get -qq update && $download; }
+    for package in *.deb; do
+      dpkg -x "$package" "$prefix"
+    done
+  )
+  rm -rf "$prefix/packages"
+  touch "$prefix/complete"
+}
