@@ -62,7 +62,8 @@ Execution MakeExecution(vtkAlgorithm* filter, double firstProgress, double lastP
     for (vtkIdType begin = 0; begin < total && !filter->GetAbortExecute(); begin += batch)
     {
       const vtkIdType end = std::min(total, begin + batch);
-      vtkSMPTools::For(begin, end, grain, [&run](vtkIdType first, vtkIdType last)
+      vtkSMPTools::For(begin, end, grain,
+        [&run](vtkIdType first, vtkIdType last)
         { run(static_cast<std::size_t>(first), static_cast<std::size_t>(last)); });
       filter->UpdateProgress(firstProgress + (lastProgress - firstProgress) * end / total);
     }
@@ -149,8 +150,8 @@ TriangleSurface ReadSurface(vtkPolyData* input)
     cell->GetCurrentCell(size, ids);
     if (size == 3)
     {
-      surface.Triangles.push_back({ static_cast<Index>(ids[0]), static_cast<Index>(ids[1]),
-        static_cast<Index>(ids[2]) });
+      surface.Triangles.push_back(
+        { static_cast<Index>(ids[0]), static_cast<Index>(ids[1]), static_cast<Index>(ids[2]) });
     }
   }
   return surface;
@@ -236,8 +237,9 @@ bool ReadGrid(vtkImageData* image, SampleGrid& grid)
     {
       return false;
     }
-    const bool ascends = image->GetDirectionMatrix()->GetElement(axis, indexAxis) *
-        image->GetSpacing()[indexAxis] > 0.0;
+    const bool ascends =
+      image->GetDirectionMatrix()->GetElement(axis, indexAxis) * image->GetSpacing()[indexAxis] >
+      0.0;
     const double step = std::abs(image->GetSpacing()[indexAxis]);
     const double origin = image->GetOrigin()[axis];
     const int lowest = ascends ? extent[2 * indexAxis] : -extent[2 * indexAxis + 1];
@@ -507,8 +509,8 @@ bool vtkOrthogonalSlicer::SliceSurface(vtkPolyData* input, vtkInformationVector*
   if (std::max(input->GetNumberOfPoints(), input->GetNumberOfCells()) >
     std::numeric_limits<Index>::max() / 2)
   {
-    vtkErrorMacro("The surface has too many points or cells: " << input->GetNumberOfPoints()
-      << " and " << input->GetNumberOfCells() << ".");
+    vtkErrorMacro("The surface has too many points or cells: "
+      << input->GetNumberOfPoints() << " and " << input->GetNumberOfCells() << ".");
     return false;
   }
   TriangleSurface surface = ReadSurface(input);
@@ -563,8 +565,8 @@ bool vtkOrthogonalSlicer::SliceImage(
                   "its own coordinates, with the identity for direction matrix.");
     return false;
   }
-  const Precision precision = this->OutputPointsPrecision == SINGLE_PRECISION ? Precision::Single
-                                                                              : Precision::Double;
+  const Precision precision =
+    this->OutputPointsPrecision == SINGLE_PRECISION ? Precision::Single : Precision::Double;
   const Region region{ this->UseLabel,
     this->UseLabel ? static_cast<double>(this->LabelValue) : this->IsoValue };
   std::vector<double> rounded[3];
@@ -578,7 +580,8 @@ bool vtkOrthogonalSlicer::SliceImage(
       return false;
     }
     samples[axis] = NearestSamples(all, planes, this->PlaneMode == BY_COORDINATES);
-    std::transform(all.Coordinates.begin(), all.Coordinates.end(), std::back_inserter(rounded[axis]),
+    std::transform(all.Coordinates.begin(), all.Coordinates.end(),
+      std::back_inserter(rounded[axis]),
       [precision](double x) { return RoundTo(precision, x) + 0.0; });
   }
   for (int axis = 0; axis < 3; ++axis)
@@ -595,9 +598,9 @@ bool vtkOrthogonalSlicer::SliceImage(
         {
           for (std::size_t i = begin; i < end; ++i)
           {
-            contours[i] = orthoslices::SliceImage(
-              ReadPlane(scalars, grid, axis, samples[axis][i], region), region.Threshold(),
-              rounded[FirstAxis(axis)], rounded[SecondAxis(axis)], precision);
+            contours[i] =
+              orthoslices::SliceImage(ReadPlane(scalars, grid, axis, samples[axis][i], region),
+                region.Threshold(), rounded[FirstAxis(axis)], rounded[SecondAxis(axis)], precision);
           }
         });
     WriteContours(axis, precision, planes, contours, vtkPolyData::GetData(outputs, axis));
@@ -621,7 +624,8 @@ vtkDataArray* vtkOrthogonalSlicer::FindScalars(vtkImageData* input, vtkInformati
   if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS ||
     scalars->GetNumberOfTuples() != input->GetNumberOfPoints())
   {
-    vtkErrorMacro("The array \"" << (scalars->GetName() ? scalars->GetName() : "")
+    vtkErrorMacro("The array \""
+      << (scalars->GetName() ? scalars->GetName() : "")
       << "\" is not on the image's points; convert cell data first (vtkCellDataToPointData).");
     return nullptr;
   }

@@ -202,7 +202,8 @@ private:
   void operator=(const vtkOrthogonalSlicer&) = delete;
 
   bool SliceSurface(vtkPolyData* input, vtkInformationVector* outputs);
-  bool SliceImage(vtkImageData* input, vtkInformationVector** inputs, vtkInformationVector* outputs);
+  bool SliceImage(
+    vtkImageData* input, vtkInformationVector** inputs, vtkInformationVector* outputs);
   vtkDataArray* FindScalars(vtkImageData* input, vtkInformationVector** inputs);
   bool PlacePlanes(int axis, double lo, double hi, std::vector<double>& planes);
   bool PlaceByNumber(int axis, double lo, double hi, std::vector<double>& planes);

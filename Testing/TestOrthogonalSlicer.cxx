@@ -1,0 +1,731 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOrthogonalSlicer.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkCubeSource.h"
+#include "vtkDataArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+#include "vtkStripper.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr double Pi = 3.14159265358979323846;
+
+//----------------------------------------------------------------------------
+/// Collects error messages instead of printing them.
+class ErrorLog
+{
+public:
+  explicit ErrorLog(vtkAlgorithm* filter)
+    : Filter(filter)
+  {
+    this->Command->SetClientData(this);
+    this->Command->SetCallback([](vtkObject*, unsigned long, void* log, void* text)
+      { static_cast<ErrorLog*>(log)->Text += static_cast<const char*>(text); });
+    filter->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+  }
+  ~ErrorLog()
+  {
+    this->Filter->RemoveObserver(this->Command);
+    this->Filter->GetExecutive()->RemoveObserver(this->Command);
+  }
+  ErrorLog(const ErrorLog&) = delete;
+  void operator=(const ErrorLog&) = delete;
+
+  std::string Text;
+
+private:
+  vtkAlgorithm* Filter;
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+/// Runs a filter that should fail; its error messages.
+std::string ErrorsOf(vtkOrthogonalSlicer* slicer)
+{
+  ErrorLog log(slicer);
+  slicer->Update();
+  for (int port = 0; port < 3; ++port)
+  {
+    EXPECT_EQ(slicer->GetOutput(port)->GetNumberOfPoints(), 0);
+    EXPECT_EQ(slicer->GetOutput(port)->GetNumberOfCells(), 0);
+  }
+  return log.Text;
+}
+
+//----------------------------------------------------------------------------
+std::vector<double> PlaneCoordinates(vtkPolyData* slices)
+{
+  vtkDataArray* all = slices->GetFieldData()->GetArray("PlaneCoordinates");
+  std::vector<double> planes;
+  for (vtkIdType i = 0; all && i < all->GetNumberOfTuples(); ++i)
+  {
+    planes.push_back(all->GetTuple1(i));
+  }
+  return planes;
+}
+
+/// Positive if the contour runs counter-clockwise seen from the positive end of the axis.
+double ContourArea(vtkPolyData* slices, vtkIdType cell, int axis)
+{
+  vtkNew<vtkIdList> ids;
+  slices->GetCellPoints(cell, ids);
+  double twice = 0.0;
+  for (vtkIdType i = 0; i + 1 < ids->GetNumberOfIds(); ++i)
+  {
+    double p[3];
+    double q[3];
+    slices->GetPoint(ids->GetId(i), p);
+    slices->GetPoint(ids->GetId(i + 1), q);
+    twice += p[(axis + 1) % 3] * q[(axis + 2) % 3] - q[(axis + 1) % 3] * p[(axis + 2) % 3];
+  }
+  return 0.5 * twice;
+}
+
+double TotalArea(vtkPolyData* slices, int axis)
+{
+  double sum = 0.0;
+  for (vtkIdType cell = 0; cell < slices->GetNumberOfCells(); ++cell)
+  {
+    sum += ContourArea(slices, cell, axis);
+  }
+  return sum;
+}
+
+/// What the class promises of every output.
+void ExpectValidSlices(vtkPolyData* slices, int axis)
+{
+  vtkDataArray* index = slices->GetCellData()->GetArray("PlaneIndex");
+  vtkDataArray* coordinate = slices->GetCellData()->GetArray("PlaneCoordinate");
+  ASSERT_TRUE(index && coordinate);
+  ASSERT_EQ(index->GetDataType(), VTK_INT);
+  ASSERT_EQ(coordinate->GetDataType(), VTK_DOUBLE);
+  ASSERT_EQ(slices->GetNumberOfLines(), slices->GetNumberOfCells());
+  const std::vector<double> planes = PlaneCoordinates(slices);
+  ASSERT_TRUE(std::is_sorted(planes.begin(), planes.end()));
+  std::vector<int> uses(static_cast<std::size_t>(slices->GetNumberOfPoints()), 0);
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < slices->GetNumberOfCells(); ++cell)
+  {
+    ASSERT_EQ(
+      coordinate->GetTuple1(cell), planes.at(static_cast<std::size_t>(index->GetTuple1(cell))));
+    slices->GetCellPoints(cell, ids);
+    ASSERT_GE(ids->GetNumberOfIds(), 4);
+    ASSERT_EQ(ids->GetId(0), ids->GetId(ids->GetNumberOfIds() - 1));
+    for (vtkIdType i = 1; i < ids->GetNumberOfIds(); ++i)
+    {
+      ++uses[static_cast<std::size_t>(ids->GetId(i))];
+      ASSERT_EQ(slices->GetPoint(ids->GetId(i))[axis], coordinate->GetTuple1(cell));
+    }
+  }
+  EXPECT_EQ(std::count(uses.begin(), uses.end(), 1), slices->GetNumberOfPoints());
+}
+
+std::vector<std::array<double, 3>> SortedPoints(vtkPolyData* slices)
+{
+  std::vector<std::array<double, 3>> points(static_cast<std::size_t>(slices->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    slices->GetPoint(static_cast<vtkIdType>(i), points[i].data());
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+//----------------------------------------------------------------------------
+vtkNew<vtkSphereSource> Sphere()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetCenter(0.1, 0.2, 0.3);
+  sphere->SetThetaResolution(80);
+  sphere->SetPhiResolution(60);
+  return sphere;
+}
+
+using Field = std::function<double(double, double, double)>;
+
+/// Fills the image's scalars with a function of the place in the world.
+void Sample(vtkImageData* image, int type, const Field& field)
+{
+  image->AllocateScalars(type, 1);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    image->GetPoint(i, p);
+    image->GetPointData()->GetScalars()->SetTuple1(i, field(p[0], p[1], p[2]));
+  }
+}
+
+double Ellipsoid(double x, double y, double z)
+{
+  return 1.0 - std::sqrt(x * x + 2 * y * y + 3 * (z - 0.1) * (z - 0.1));
+}
+
+/// 41 x 51 x 61 samples over a box around the ellipsoid.
+void MakeEllipsoidImage(vtkImageData* image)
+{
+  image->SetExtent(3, 43, -5, 45, 0, 60);
+  image->SetSpacing(0.06, 0.04, 0.03);
+  image->SetOrigin(-1.38, -0.8, -0.83);
+  Sample(image, VTK_DOUBLE, Ellipsoid);
+}
+
+/// The same world seen through permuted and flipped index axes: index axis i runs along axis
+/// order[i] of the first image, in direction sign[i].
+void Reindex(vtkImageData* from, vtkImageData* to, const int order[3], const int sign[3])
+{
+  vtkNew<vtkMatrix3x3> direction;
+  direction->Zero();
+  int size[3];
+  double spacing[3];
+  double origin[3];
+  double bounds[6];
+  from->GetBounds(bounds);
+  for (int i = 0; i < 3; ++i)
+  {
+    const int axis = order[i];
+    direction->SetElement(axis, i, sign[i]);
+    size[i] = from->GetDimensions()[axis];
+    spacing[i] = from->GetSpacing()[axis];
+    origin[axis] = sign[i] > 0 ? bounds[2 * axis] : bounds[2 * axis + 1];
+  }
+  to->SetDimensions(size);
+  to->SetSpacing(spacing);
+  to->SetOrigin(origin);
+  to->SetDirectionMatrix(direction);
+  Sample(to, VTK_DOUBLE, Ellipsoid);
+}
+}
+
+//----------------------------------------------------------------------------
+// Surfaces
+
+TEST(OrthogonalSlicer, DefaultsCutAnySourceIntoThirtyTwoPlanesPerAxis)
+{
+  vtkNew<vtkCubeSource> cube; // with three points at each corner
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputConnection(cube->GetOutputPort());
+  slicer->Update();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vtkPolyData* slices = slicer->GetOutput(axis);
+    ExpectValidSlices(slices, axis);
+    ASSERT_EQ(slices->GetNumberOfCells(), 32);
+    EXPECT_NEAR(TotalArea(slices, axis), 32.0, 1e-5);
+    EXPECT_EQ(PlaneCoordinates(slices).front(), -0.5 + 0.5 / 32);
+  }
+}
+
+TEST(OrthogonalSlicer, SphereHasItsVolume)
+{
+  auto sphere = Sphere();
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputConnection(sphere->GetOutputPort());
+  slicer->SetNumberOfSlices(40, 50, 60);
+  slicer->Update();
+  const int numbers[] = { 40, 50, 60 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vtkPolyData* slices = slicer->GetOutput(axis);
+    ExpectValidSlices(slices, axis);
+    EXPECT_EQ(slices->GetNumberOfCells(), numbers[axis]);
+    EXPECT_NEAR(TotalArea(slices, axis) * 2.0 / numbers[axis], 4.0 / 3.0 * Pi, 0.02);
+  }
+}
+
+TEST(OrthogonalSlicer, SpacingStartsHalfASpacingInside)
+{
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputConnection(cube->GetOutputPort());
+  slicer->SetPlaneModeToSpacing();
+  slicer->SetSpacing(0.5, 0.375, 3.0);
+  slicer->Update();
+  EXPECT_EQ(PlaneCoordinates(slicer->GetOutput(0)), (std::vector<double>{ -0.25, 0.25 }));
+  EXPECT_EQ(
+    PlaneCoordinates(slicer->GetOutput(1)), (std::vector<double>{ -0.3125, 0.0625, 0.4375 }));
+  EXPECT_TRUE(PlaneCoordinates(slicer->GetOutput(2)).empty());
+}
+
+TEST(OrthogonalSlicer, CoordinatesAreSortedAndCountOnce)
+{
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputConnection(cube->GetOutputPort());
+  slicer->SetPlaneModeToCoordinates();
+  slicer->SetNumberOfXCoordinates(4);
+  slicer->SetXCoordinate(0, 0.25);
+  slicer->SetXCoordinate(1, -0.125);
+  slicer->SetXCoordinate(2, 0.25);
+  slicer->SetXCoordinate(3, 9.0);
+  slicer->SetZCoordinate(0, 0.0);
+  EXPECT_EQ(slicer->GetNumberOfZCoordinates(), 1);
+  slicer->Update();
+  EXPECT_EQ(PlaneCoordinates(slicer->GetOutput(0)), (std::vector<double>{ -0.125, 0.25, 9.0 }));
+  EXPECT_EQ(slicer->GetOutput(0)->GetNumberOfCells(), 2);
+  EXPECT_EQ(slicer->GetOutput(1)->GetNumberOfCells(), 0);
+  EXPECT_EQ(slicer->GetOutput(2)->GetNumberOfCells(), 1);
+  ExpectValidSlices(slicer->GetOutput(0), 0);
+}
+
+TEST(OrthogonalSlicer, PrecisionFollowsTheInputUnlessSet)
+{
+  for (const int input : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION })
+  {
+    for (const int set : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION,
+           vtkAlgorithm::DEFAULT_PRECISION })
+    {
+      auto sphere = Sphere();
+      sphere->SetOutputPointsPrecision(input);
+      vtkNew<vtkOrthogonalSlicer> slicer;
+      slicer->SetInputConnection(sphere->GetOutputPort());
+      slicer->SetNumberOfSlices(7, 7, 7);
+      slicer->SetOutputPointsPrecision(set);
+      slicer->Update();
+      const int expected = set == vtkAlgorithm::DEFAULT_PRECISION ? input : set;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        EXPECT_EQ(slicer->GetOutput(axis)->GetPoints()->GetDataType(),
+          expected == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE);
+        ExpectValidSlices(slicer->GetOutput(axis), axis); // the planes survive the rounding
+      }
+    }
+  }
+}
+
+TEST(OrthogonalSlicer, StripsAndPolygonsAreTriangulated)
+{
+  auto sphere = Sphere();
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkNew<vtkStripper> strips;
+  strips->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkOrthogonalSlicer> fromTriangles;
+  fromTriangles->SetInputConnection(sphere->GetOutputPort());
+  fromTriangles->Update();
+  vtkNew<vtkOrthogonalSlicer> fromStrips;
+  fromStrips->SetInputConnection(strips->GetOutputPort());
+  fromStrips->Update();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_EQ(
+      SortedPoints(fromStrips->GetOutput(axis)), SortedPoints(fromTriangles->GetOutput(axis)));
+  }
+}
+
+TEST(OrthogonalSlicer, ThreadsDoNotChangeTheOutput)
+{
+  auto sphere = Sphere();
+  const auto run = [&sphere](int threads, vtkPolyData* outputs)
+  {
+    const auto slice = [&]()
+    {
+      vtkNew<vtkOrthogonalSlicer> slicer;
+      slicer->SetInputConnection(sphere->GetOutputPort());
+      slicer->Update();
+      outputs->ShallowCopy(slicer->GetOutput(1));
+    };
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false }, slice);
+  };
+  vtkNew<vtkPolyData> one;
+  vtkNew<vtkPolyData> four;
+  run(1, one);
+  run(4, four);
+  ASSERT_EQ(one->GetNumberOfPoints(), four->GetNumberOfPoints());
+  ASSERT_EQ(one->GetNumberOfCells(), four->GetNumberOfCells());
+  for (vtkIdType i = 0; i < one->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    double q[3];
+    one->GetPoint(i, p);
+    four->GetPoint(i, q);
+    ASSERT_TRUE(std::equal(p, p + 3, q));
+  }
+}
+
+//----------------------------------------------------------------------------
+// Images
+
+TEST(OrthogonalSlicer, ImageOfAnEllipsoidHasItsContours)
+{
+  vtkNew<vtkImageData> image;
+  MakeEllipsoidImage(image);
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(image);
+  slicer->SetNumberOfSlices(12, 1000, 12);
+  slicer->Update();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vtkPolyData* slices = slicer->GetOutput(axis);
+    ExpectValidSlices(slices, axis);
+    ASSERT_GE(slices->GetNumberOfCells(), 8);
+    EXPECT_EQ(slices->GetPoints()->GetDataType(), VTK_DOUBLE);
+    for (vtkIdType i = 0; i < slices->GetNumberOfPoints(); ++i)
+    {
+      const double* p = slices->GetPoint(i);
+      EXPECT_NEAR(Ellipsoid(p[0], p[1], p[2]), 0.0, 4e-3);
+    }
+    for (vtkIdType cell = 0; cell < slices->GetNumberOfCells(); ++cell)
+    {
+      EXPECT_GT(ContourArea(slices, cell, axis), 0.0);
+    }
+  }
+  EXPECT_EQ(PlaneCoordinates(slicer->GetOutput(1)).size(), 51u); // every sample plane once
+}
+
+TEST(OrthogonalSlicer, SlicesOfAnImageShareTheirCrossings)
+{
+  vtkNew<vtkImageData> image;
+  MakeEllipsoidImage(image);
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(image);
+  slicer->SetNumberOfSlices(10, 10, 10);
+  slicer->Update();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int other = (axis + 1) % 3;
+    // Vertices of the one family that lie on planes of the other have to be vertices of both.
+    const auto onPlanesOf = [&](int family, int planesOf)
+    {
+      const auto planes = PlaneCoordinates(slicer->GetOutput(planesOf));
+      std::set<std::array<double, 3>> found;
+      for (const auto& p : SortedPoints(slicer->GetOutput(family)))
+      {
+        if (std::binary_search(planes.begin(), planes.end(), p[planesOf]))
+        {
+          found.insert(p);
+        }
+      }
+      return found;
+    };
+    EXPECT_GT(onPlanesOf(axis, other).size(), 20u);
+    EXPECT_EQ(onPlanesOf(axis, other), onPlanesOf(other, axis));
+  }
+}
+
+TEST(OrthogonalSlicer, LabelsAreDrawnHalfway)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(9, 9, 9);
+  const auto inner = [](double x) { return x >= 2 && x <= 5; };
+  Sample(image, VTK_UNSIGNED_CHAR,
+    [&](double x, double y, double z) { return inner(x) && inner(y) && inner(z) ? 7 : 9; });
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(image);
+  slicer->UseLabelOn();
+  slicer->SetLabelValue(7);
+  slicer->Update();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vtkPolyData* slices = slicer->GetOutput(axis);
+    ExpectValidSlices(slices, axis);
+    ASSERT_EQ(slices->GetNumberOfCells(), 4);
+    EXPECT_DOUBLE_EQ(ContourArea(slices, 0, axis), 15.5); // 4 x 4 with its corners cut
+  }
+  slicer->SetLabelValue(9);
+  slicer->Update();
+  vtkPolyData* around = slicer->GetOutput(2);
+  ASSERT_EQ(around->GetNumberOfCells(), 9 + 4);
+  EXPECT_DOUBLE_EQ(TotalArea(around, 2), 9 * 80.5 - 4 * 15.5); // the border is half outside
+  slicer->SetLabelValue(8);
+  slicer->Update();
+  EXPECT_EQ(slicer->GetOutput(2)->GetNumberOfCells(), 0);
+}
+
+TEST(OrthogonalSlicer, PlanesOfAnImageMoveToTheNearestSample)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(5, 5, 5);
+  image->SetSpacing(2, 2, 2);
+  Sample(image, VTK_FLOAT, [](double, double, double) { return 1.0; });
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(image);
+  slicer->SetPlaneModeToCoordinates();
+  const double xs[] = { 0.9, 1.0, 3.1, 8.9, 9.5, -1.0, -1.5 };
+  for (int i = 0; i < 7; ++i)
+  {
+    slicer->SetXCoordinate(i, xs[i]);
+  }
+  slicer->Update();
+  EXPECT_EQ(PlaneCoordinates(slicer->GetOutput(0)), (std::vector<double>{ 0, 2, 4, 8 }));
+  slicer->SetPlaneModeToNumber();
+  slicer->SetNumberOfSlices(2, 3, 4);
+  slicer->Update();
+  EXPECT_EQ(PlaneCoordinates(slicer->GetOutput(0)), (std::vector<double>{ 2, 6 }));
+}
+
+TEST(OrthogonalSlicer, FlippedAndPermutedImagesGiveTheSameContours)
+{
+  vtkNew<vtkImageData> image;
+  MakeEllipsoidImage(image);
+  vtkNew<vtkOrthogonalSlicer> expected;
+  expected->SetInputData(image);
+  expected->SetNumberOfSlices(9, 8, 7);
+  expected->Update();
+  const int orders[][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 1, 0 } };
+  const int signs[][3] = { { 1, 1, 1 }, { -1, 1, 1 }, { 1, -1, -1 }, { -1, -1, -1 } };
+  for (const auto& order : orders)
+  {
+    for (const auto& sign : signs)
+    {
+      vtkNew<vtkImageData> other;
+      Reindex(image, other, order, sign);
+      vtkNew<vtkOrthogonalSlicer> slicer;
+      slicer->SetInputData(other);
+      slicer->SetNumberOfSlices(9, 8, 7);
+      slicer->Update();
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        ExpectValidSlices(slicer->GetOutput(axis), axis);
+        EXPECT_NEAR(TotalArea(slicer->GetOutput(axis), axis),
+          TotalArea(expected->GetOutput(axis), axis), 1e-9);
+        const auto a = SortedPoints(slicer->GetOutput(axis));
+        EXPECT_EQ(a.size(), SortedPoints(expected->GetOutput(axis)).size());
+        double bounds[2][6];
+        slicer->GetOutput(axis)->GetBounds(bounds[0]);
+        expected->GetOutput(axis)->GetBounds(bounds[1]);
+        for (int i = 0; i < 6; ++i)
+        {
+          EXPECT_NEAR(bounds[0][i], bounds[1][i], 1e-12);
+        }
+      }
+    }
+  }
+}
+
+TEST(OrthogonalSlicer, OneSampleThickImagesAreClosedToo)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(4, 3, 1);
+  Sample(image, VTK_INT, [](double, double, double) { return 1.0; });
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(image);
+  slicer->Update();
+  EXPECT_EQ(slicer->GetOutput(0)->GetNumberOfCells(), 4);
+  EXPECT_EQ(slicer->GetOutput(2)->GetNumberOfCells(), 1);
+  EXPECT_DOUBLE_EQ(TotalArea(slicer->GetOutput(2), 2), 11.5);
+  ExpectValidSlices(slicer->GetOutput(0), 0);
+}
+
+TEST(OrthogonalSlicer, ChosenArrayIsSliced)
+{
+  vtkNew<vtkImageData> image;
+  MakeEllipsoidImage(image);
+  image->GetPointData()->GetScalars()->SetName("distance");
+  image->GetPointData()->SetActiveScalars(nullptr);
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(image);
+  EXPECT_NE(ErrorsOf(slicer).find("point scalars"), std::string::npos);
+  slicer->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "distance");
+  slicer->SetIsoValue(0.5);
+  slicer->Update();
+  ASSERT_GT(slicer->GetOutput(0)->GetNumberOfPoints(), 0);
+  const double* p = slicer->GetOutput(0)->GetPoint(0);
+  EXPECT_NEAR(Ellipsoid(p[0], p[1], p[2]), 0.5, 1e-2);
+}
+
+//----------------------------------------------------------------------------
+// Errors
+
+TEST(OrthogonalSlicer, OpenSurfaceIsAnErrorThatNamesAnEdge)
+{
+  auto sphere = Sphere();
+  sphere->SetEndTheta(270);
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputConnection(sphere->GetOutputPort());
+  const std::string errors = ErrorsOf(slicer);
+  EXPECT_NE(errors.find("open: the edge from (0.1, 0.2, "), std::string::npos) << errors;
+  sphere->SetEndTheta(360);
+  slicer->Update(); // recovers
+  EXPECT_GT(slicer->GetOutput(0)->GetNumberOfPoints(), 0);
+}
+
+TEST(OrthogonalSlicer, InconsistentTrianglesAreAnError)
+{
+  auto sphere = Sphere();
+  sphere->Update();
+  vtkNew<vtkPolyData> surface;
+  surface->DeepCopy(sphere->GetOutput());
+  surface->ReverseCell(17);
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(surface);
+  EXPECT_NE(ErrorsOf(slicer).find("not oriented consistently"), std::string::npos);
+}
+
+TEST(OrthogonalSlicer, EmptyInputIsAnError)
+{
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  vtkNew<vtkPolyData> nothing;
+  slicer->SetInputData(nothing);
+  EXPECT_NE(ErrorsOf(slicer).find("no triangles"), std::string::npos);
+  vtkNew<vtkImageData> image;
+  slicer->SetInputData(image);
+  EXPECT_FALSE(ErrorsOf(slicer).empty());
+}
+
+TEST(OrthogonalSlicer, PlanesThatCannotBeAreErrors)
+{
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputConnection(cube->GetOutputPort());
+  slicer->SetNumberOfSlices(0, 0, 0);
+  EXPECT_NE(ErrorsOf(slicer).find("NumberOfSlices"), std::string::npos);
+  slicer->SetPlaneModeToSpacing();
+  slicer->SetSpacing(1, 0, 1);
+  EXPECT_NE(ErrorsOf(slicer).find("Spacing 0 on axis 1"), std::string::npos);
+  slicer->SetSpacing(1e-9, 1, 1);
+  EXPECT_NE(ErrorsOf(slicer).find("at most 100000"), std::string::npos);
+  slicer->SetPlaneModeToCoordinates();
+  EXPECT_NE(ErrorsOf(slicer).find("none on any axis"), std::string::npos);
+  slicer->SetYCoordinate(0, std::nan(""));
+  EXPECT_NE(ErrorsOf(slicer).find("not finite"), std::string::npos);
+}
+
+TEST(OrthogonalSlicer, ObliqueImageIsAnErrorThatSaysSo)
+{
+  vtkNew<vtkImageData> image;
+  MakeEllipsoidImage(image);
+  image->SetDirectionMatrix(0.8, -0.6, 0, 0.6, 0.8, 0, 0, 0, 1);
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(image);
+  EXPECT_NE(ErrorsOf(slicer).find("not parallel to the coordinate axes"), std::string::npos);
+}
+
+TEST(OrthogonalSlicer, CellDataIsAnErrorThatSaysSo)
+{
+  vtkNew<vtkImageData> image;
+  MakeEllipsoidImage(image);
+  vtkSmartPointer<vtkDataArray> scalars = image->GetPointData()->GetScalars();
+  scalars->SetName("values");
+  scalars->Resize(image->GetNumberOfCells());
+  image->GetPointData()->Initialize();
+  image->GetCellData()->SetScalars(scalars);
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(image);
+  EXPECT_NE(ErrorsOf(slicer).find("cell data"), std::string::npos);
+  slicer->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "values");
+  EXPECT_NE(ErrorsOf(slicer).find("not on the image's points"), std::string::npos);
+}
+
+//----------------------------------------------------------------------------
+// Conduct in a pipeline
+
+TEST(OrthogonalSlicer, SettersModifyOnlyOnChange)
+{
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetXCoordinate(2, 1.5);
+  const vtkMTimeType time = slicer->GetMTime();
+  slicer->SetXCoordinate(2, 1.5);
+  slicer->SetNumberOfXCoordinates(3);
+  slicer->SetIsoValue(0.0);
+  slicer->SetNumberOfSlices(32, 32, 32);
+  EXPECT_EQ(slicer->GetMTime(), time);
+  EXPECT_EQ(slicer->GetXCoordinate(0), 0.0);
+  slicer->SetXCoordinate(1, 4.0);
+  EXPECT_GT(slicer->GetMTime(), time);
+}
+
+TEST(OrthogonalSlicer, ReExecutionGivesTheSameOutput)
+{
+  auto sphere = Sphere();
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputConnection(sphere->GetOutputPort());
+  slicer->Update();
+  const auto first = SortedPoints(slicer->GetOutput(2));
+  slicer->Modified();
+  slicer->Update();
+  EXPECT_EQ(SortedPoints(slicer->GetOutput(2)), first);
+}
+
+TEST(OrthogonalSlicer, ProgressAscendsToOne)
+{
+  auto sphere = Sphere();
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputConnection(sphere->GetOutputPort());
+  std::vector<double> progress;
+  vtkNew<vtkCallbackCommand> watch;
+  watch->SetClientData(&progress);
+  watch->SetCallback([](vtkObject*, unsigned long, void* values, void* value)
+    { static_cast<std::vector<double>*>(values)->push_back(*static_cast<double*>(value)); });
+  slicer->AddObserver(vtkCommand::ProgressEvent, watch);
+  slicer->Update();
+  EXPECT_GT(progress.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_EQ(progress.back(), 1.0);
+}
+
+TEST(OrthogonalSlicer, AbortLeavesEmptyOutputs)
+{
+  auto sphere = Sphere();
+  sphere->Update();
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(sphere->GetOutput());
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* filter, unsigned long, void*, void*)
+    {
+      auto* running = static_cast<vtkOrthogonalSlicer*>(filter);
+      running->SetAbortExecute(running->GetProgress() > 0.5);
+    });
+  const unsigned long tag = slicer->AddObserver(vtkCommand::ProgressEvent, stop);
+  slicer->Update();
+  EXPECT_EQ(slicer->GetOutput(0)->GetNumberOfPoints(), 0);
+  EXPECT_EQ(slicer->GetOutput(2)->GetNumberOfPoints(), 0);
+  slicer->RemoveObserver(tag);
+  slicer->SetAbortExecute(0);
+  slicer->Modified();
+  slicer->Update();
+  EXPECT_GT(slicer->GetOutput(2)->GetNumberOfPoints(), 0);
+}
+
+TEST(OrthogonalSlicer, LaterPiecesAreEmpty)
+{
+  auto sphere = Sphere();
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputConnection(sphere->GetOutputPort());
+  slicer->UpdatePiece(0, 2, 0);
+  const auto whole = slicer->GetOutput(0)->GetNumberOfCells();
+  EXPECT_EQ(whole, 32);
+  slicer->UpdatePiece(1, 2, 0);
+  EXPECT_EQ(slicer->GetOutput(0)->GetNumberOfCells(), 0);
+}
+
+TEST(OrthogonalSlicer, PrintsItsParameters)
+{
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetYCoordinate(0, 12.5);
+  std::ostringstream text;
+  slicer->Print(text);
+  for (const char* words :
+    { "PlaneMode: Number", "NumberOfSlices: 32 32 32", "Spacing: 1 1 1", "YCoordinates: 12.5",
+      "IsoValue: 0", "UseLabel: Off", "LabelValue: 1", "OutputPointsPrecision: 2" })
+  {
+    EXPECT_NE(text.str().find(words), std::string::npos) << words;
+  }
+}
