@@ -1,0 +1,387 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CentralPoint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthoslices
+{
+namespace
+{
+Point3 operator-(const Point3& a, const Point3& b)
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+}
+Point3 operator+(const Point3& a, const Point3& b)
+{
+  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
+}
+Point3 operator*(double s, const Point3& a) { return { s * a[0], s * a[1], s * a[2] }; }
+double Dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Point3 Cross(const Point3& a, const Point3& b)
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+double Length(const Point3& a) { return std::sqrt(Dot(a, a)); }
+Point3 PointAt(const std::vector<double>& xyz, Index i)
+{
+  const double* p = xyz.data() + 3 * static_cast<std::size_t>(i);
+  return { p[0], p[1], p[2] };
+}
+
+/// Half the length of contour, as a part of the mean plane spacing, over which a tangent is
+/// measured.
+constexpr double TangentWindow = 0.1;
+
+/**
+ * Tangent of a contour at a crossing in its slice (u, v), of unit length: derivative of the
+ * parabola through the crossing and one vertex on each side of it, at least `window` away where the
+ * contour goes so far.
+ */
+class ContourTangent
+{
+public:
+  ContourTangent(const Contours& contours, const SpatialGrid& grid, const GridEdgeCode& code,
+    const Crossings& crossings)
+    : Set(contours)
+    , Grid(grid)
+    , Code(code)
+    , Lattice(crossings)
+  {
+  }
+
+  /// World direction of the contour at a crossing; zero for a crossing without a contour.
+  Point3 operator()(Index crossing) const;
+
+private:
+  using Vector2 = std::array<double, 2>;
+  Vector2 Farther(Index contour, Index vertex, int step, const Vector2& from, double window) const;
+
+  const Contours& Set;
+  const SpatialGrid& Grid;
+  const GridEdgeCode& Code;
+  const Crossings& Lattice;
+};
+
+/// The difference to the first vertex, from the given one on, that is at least `window` away.
+ContourTangent::Vector2 ContourTangent::Farther(
+  Index contour, Index vertex, int step, const Vector2& from, double window) const
+{
+  const Index begin = this->Set.Offsets[contour];
+  const Index size = this->Set.Size(contour);
+  Index i = vertex - begin;
+  Vector2 difference{ 0.0, 0.0 };
+  double length = 0.0;
+  double previous = -1.0;
+  // Stop where the contour turns back, too.
+  for (Index n = 0; n < size / 3 + 1 && length < window && length > previous; ++n)
+  {
+    previous = n == 0 ? -1.0 : length;
+    difference = { this->Set.U[begin + i] - from[0], this->Set.V[begin + i] - from[1] };
+    length = std::hypot(difference[0], difference[1]);
+    i = (i + step + size) % size;
+  }
+  return difference;
+}
+
+Point3 ContourTangent::operator()(Index crossing) const
+{
+  const Index contour = this->Lattice.RunContour[crossing];
+  if (contour == Crossings::None)
+  {
+    return { 0.0, 0.0, 0.0 };
+  }
+  const int u = FirstAxis(this->Set.Axis[contour]);
+  const int v = SecondAxis(this->Set.Axis[contour]);
+  const Point3 at = CrossingPoint(
+    this->Grid, this->Code, this->Lattice.Edge[crossing], this->Lattice.Position[crossing]);
+  const Vector2 from{ at[u], at[v] };
+  const double window =
+    TangentWindow * std::min(this->Grid.MeanSpacing(u), this->Grid.MeanSpacing(v));
+  const Index after = this->Lattice.RunFirst[crossing];
+  const Index begin = this->Set.Offsets[contour];
+  const Index before = after == begin ? this->Set.Offsets[contour + 1] - 1 : after - 1;
+  const Vector2 f = this->Farther(contour, after, 1, from, window);
+  const Vector2 b = this->Farther(contour, before, -1, from, window);
+  const double df = std::hypot(f[0], f[1]);
+  const double db = std::hypot(b[0], b[1]);
+  const double wf = df > 0.0 ? db / df : 0.0;
+  const double wb = db > 0.0 ? df / db : 0.0;
+  Point3 tangent{ 0.0, 0.0, 0.0 };
+  tangent[u] = f[0] * wf - b[0] * wb;
+  tangent[v] = f[1] * wf - b[1] * wb;
+  if (df == 0.0 || db == 0.0)
+  {
+    tangent[u] = f[0] - b[0];
+    tangent[v] = f[1] - b[1];
+  }
+  const double length = Length(tangent);
+  return length > 0.0 ? (1.0 / length) * tangent : Point3{ 0.0, 0.0, 0.0 };
+}
+
+/// Solves a symmetric positive definite system in place by Cholesky's method; false if it is
+/// singular.
+template <int N>
+bool SolveSymmetric(double (&a)[N][N], double (&b)[N])
+{
+  for (int j = 0; j < N; ++j)
+  {
+    for (int i = j; i < N; ++i)
+    {
+      double sum = a[i][j];
+      for (int k = 0; k < j; ++k)
+      {
+        sum -= a[i][k] * a[j][k];
+      }
+      if (i == j && !(sum > 0.0))
+      {
+        return false;
+      }
+      a[i][j] = i == j ? std::sqrt(sum) : sum / a[j][j];
+    }
+  }
+  for (int i = 0; i < N; ++i)
+  {
+    for (int k = 0; k < i; ++k)
+    {
+      b[i] -= a[i][k] * b[k];
+    }
+    b[i] /= a[i][i];
+  }
+  for (int i = N - 1; i >= 0; --i)
+  {
+    for (int k = i + 1; k < N; ++k)
+    {
+      b[i] -= a[k][i] * b[k];
+    }
+    b[i] /= a[i][i];
+  }
+  return true;
+}
+
+/// Least squares for z = c0 + c1 x + c2 y + c3 x^2 + c4 xy + c5 y^2.
+class QuadraticFit
+{
+public:
+  void AddPoint(double x, double y, double z, double weight)
+  {
+    this->AddRow({ 1.0, x, y, x * x, x * y, y * y }, z, weight);
+  }
+
+  /// The tangent plane with normal (nx, ny, nz) at (x, y).
+  void AddNormal(double x, double y, const Point3& normal, double weight)
+  {
+    this->AddRow(
+      { 0.0, normal[2], 0.0, 2.0 * x * normal[2], y * normal[2], 0.0 }, -normal[0], weight);
+    this->AddRow(
+      { 0.0, 0.0, normal[2], 0.0, x * normal[2], 2.0 * y * normal[2] }, -normal[1], weight);
+  }
+
+  /// Height at the origin; 0 if the data do not determine it.
+  double HeightAtOrigin()
+  {
+    // Little data leave second derivatives open: the flattest solution is taken.
+    for (int i = 0; i < 6; ++i)
+    {
+      this->Matrix[i][i] += i < 3 ? 1e-12 : 1e-6;
+    }
+    return SolveSymmetric(this->Matrix, this->Right) ? this->Right[0] : 0.0;
+  }
+
+private:
+  void AddRow(const std::array<double, 6>& row, double value, double weight)
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      for (int j = 0; j <= i; ++j)
+      {
+        this->Matrix[i][j] += weight * row[i] * row[j];
+      }
+      this->Right[i] += weight * row[i] * value;
+    }
+  }
+
+  double Matrix[6][6] = {};
+  double Right[6] = {};
+};
+
+/// The boundary of one spatial polygon: points, lengths, centroid.
+class PolygonCenter
+{
+public:
+  PolygonCenter(const NodeGraph& graph, const std::vector<double>& nodeNormals)
+    : Graph(graph)
+    , NodeNormals(nodeNormals)
+  {
+  }
+
+  /// Scratch memory for GetBoundary, reused from polygon to polygon.
+  std::vector<Index> Boundary, NodePlaces;
+
+  Point3 Centroid();
+  Point3 LeastSquares();
+
+private:
+  Point3 MeanNormal() const;
+
+  const NodeGraph& Graph;
+  const std::vector<double>& NodeNormals;
+  std::vector<Point3> Points;
+  std::vector<double> Weights; ///< length of boundary that each point stands for
+};
+
+Point3 PolygonCenter::Centroid()
+{
+  const std::size_t n = this->Boundary.size();
+  this->Points.resize(n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    this->Points[i] = PointAt(this->Graph.Points, this->Boundary[i]);
+  }
+  this->Weights.assign(n, 0.0);
+  Point3 sum{ 0.0, 0.0, 0.0 };
+  double total = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t j = i + 1 < n ? i + 1 : 0;
+    const double half = 0.5 * Length(this->Points[j] - this->Points[i]);
+    this->Weights[i] += half;
+    this->Weights[j] += half;
+    total += 2.0 * half;
+    // Relative to the first point, which keeps the digits of coordinates far from the origin.
+    sum = sum + half * ((this->Points[i] - this->Points[0]) + (this->Points[j] - this->Points[0]));
+  }
+  if (!(total > 0.0))
+  {
+    return this->Points[0];
+  }
+  for (double& weight : this->Weights)
+  {
+    weight /= total;
+  }
+  return this->Points[0] + (1.0 / total) * sum;
+}
+
+/// Unit normal of the plane that the heights refer to; zero if there is none.
+Point3 PolygonCenter::MeanNormal() const
+{
+  Point3 mean{ 0.0, 0.0, 0.0 };
+  for (const Index place : this->NodePlaces)
+  {
+    mean = mean + PointAt(this->NodeNormals, this->Boundary[place]);
+  }
+  Point3 area{ 0.0, 0.0, 0.0 };
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    const std::size_t j = i + 1 < this->Points.size() ? i + 1 : 0;
+    area = area + Cross(this->Points[i] - this->Points[0], this->Points[j] - this->Points[0]);
+  }
+  const double meanLength = Length(mean);
+  const double areaLength = Length(area);
+  if (areaLength > 0.0)
+  {
+    mean = (meanLength > 0.0 ? 1.0 / meanLength : 0.0) * mean + (1.0 / areaLength) * area;
+  }
+  const double length = Length(mean);
+  return length > 0.0 ? (1.0 / length) * mean : Point3{ 0.0, 0.0, 0.0 };
+}
+
+Point3 PolygonCenter::LeastSquares()
+{
+  const Point3 centroid = this->Centroid();
+  const Point3 normal = this->MeanNormal();
+  double radius2 = 0.0;
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    const Point3 d = this->Points[i] - centroid;
+    radius2 += this->Weights[i] * Dot(d, d);
+  }
+  const double radius = std::sqrt(radius2);
+  if (!(radius > 0.0) || Dot(normal, normal) == 0.0)
+  {
+    return centroid;
+  }
+  // Any two directions that complete the normal to a frame; the smallest component gives a stable
+  // one.
+  const int smallest = std::abs(normal[0]) <= std::abs(normal[1])
+    ? (std::abs(normal[0]) <= std::abs(normal[2]) ? 0 : 2)
+    : (std::abs(normal[1]) <= std::abs(normal[2]) ? 1 : 2);
+  Point3 unit{ 0.0, 0.0, 0.0 };
+  unit[smallest] = 1.0;
+  Point3 x = Cross(unit, normal);
+  x = (1.0 / Length(x)) * x;
+  const Point3 y = Cross(normal, x);
+  QuadraticFit fit;
+  const auto local = [&](const Point3& d) -> Point3 {
+    return { Dot(d, x), Dot(d, y), Dot(d, normal) };
+  };
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    const Point3 p = local((1.0 / radius) * (this->Points[i] - centroid));
+    fit.AddPoint(p[0], p[1], p[2], this->Weights[i]);
+  }
+  for (const Index place : this->NodePlaces)
+  {
+    const Point3 p = local((1.0 / radius) * (this->Points[place] - centroid));
+    const Point3 n = local(PointAt(this->NodeNormals, this->Boundary[place]));
+    fit.AddNormal(p[0], p[1], n, 1.0 / this->NodePlaces.size());
+  }
+  const double height = fit.HeightAtOrigin();
+  return std::abs(height) < 1.0 ? centroid + (height * radius) * normal : centroid;
+}
+}
+
+std::vector<double> ComputeNodeNormals(const Contours& contours, const SpatialGrid& grid,
+  const Crossings& crossings, const NodePoints& nodes, const Execution& execution)
+{
+  const GridEdgeCode code(grid);
+  const ContourTangent tangent(contours, grid, code, crossings);
+  std::vector<double> normals(3 * static_cast<std::size_t>(nodes.Count()), 0.0);
+  execution.For(nodes.Count(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t node = begin; node < end; ++node)
+      {
+        const Index first = nodes.First[node];
+        const Index second = nodes.Second[node];
+        const Point3 along = tangent(first);
+        Point3 normal = Cross(along, tangent(second));
+        // Outside lies to the right of the contour: along x (axis of its slice).
+        const int axis = FirstAxis(code.Decode(crossings.Edge[first]).Direction);
+        Point3 up{ 0.0, 0.0, 0.0 };
+        up[axis] = 1.0;
+        if (Dot(normal, Cross(along, up)) < 0.0)
+        {
+          normal = -1.0 * normal;
+        }
+        std::copy(normal.begin(), normal.end(), normals.begin() + 3 * node);
+      }
+    });
+  return normals;
+}
+
+std::vector<double> LocateCentralPoints(CentralPointMethod method, const SpatialGrid& grid,
+  const NodeGraph& graph, const Crossings& crossings, const NodePoints& nodes,
+  const std::vector<double>& nodeNormals, const Cycles& cycles, const Execution& execution)
+{
+  std::vector<double> centers(3 * static_cast<std::size_t>(cycles.Count()));
+  execution.For(cycles.Count(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      PolygonCenter polygon(graph, nodeNormals);
+      for (std::size_t cycle = begin; cycle < end; ++cycle)
+      {
+        const Index c = static_cast<Index>(cycle);
+        GetBoundary(graph, crossings, nodes, cycles, c, polygon.Boundary, polygon.NodePlaces);
+        const Point3 center =
+          method == CentralPointMethod::LeastSquares ? polygon.LeastSquares() : polygon.Centroid();
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          centers[3 * cycle + axis] = grid.Clamp(axis, cycles.Cell[cycle][axis], center[axis]);
+        }
+      }
+    });
+  return centers;
+}
+}

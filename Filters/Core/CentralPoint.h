@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesCentralPoint_h
+#define OrthoSlicesCentralPoint_h
+
+#include "TraceCycles.h"
+
+namespace orthoslices
+{
+/// How the central point of a spatial polygon is found.
+enum class CentralPointMethod
+{
+  LeastSquares, ///< quadratic height function through the arcs and the normals at the node points
+  Centroid      ///< centroid of the arcs
+};
+
+/**
+ * Surface normals at the node points, x, y, z of each, pointing outwards. Two contours cross there,
+ * so the normal is the cross product of their tangents: known, not estimated (our own addition).
+ * Its length is the sine of the angle between the tangents, and 0 where a tangent is unknown.
+ */
+std::vector<double> ComputeNodeNormals(const Contours& contours, const SpatialGrid& grid,
+  const Crossings& crossings, const NodePoints& nodes, const Execution& execution);
+
+/**
+ * One central point for each cycle (the paper's section 5), x, y, z of each, inside the closed
+ * cell. LeastSquares measures heights over a plane through the centroid of the arcs, weights the
+ * points of the arcs by length, and falls back to the centroid where the polygon is no height
+ * function.
+ */
+std::vector<double> LocateCentralPoints(CentralPointMethod method, const SpatialGrid& grid,
+  const NodeGraph& graph, const Crossings& crossings, const NodePoints& nodes,
+  const std::vector<double>& nodeNormals, const Cycles& cycles, const Execution& execution);
+}
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesNodeGraph_h
+#define OrthoSlicesNodeGraph_h
+
+#include "PairNodePoints.h"
+
+namespace orthoslices
+{
+/**
+ * The graph G (the paper's section 4.1): node points joined by arcs. Arc c leads from the node of
+ * crossing c to that of Next[c]; removed crossings have no arc.
+ *
+ * The points of G are first the node points, then the vertices inside the arcs: arc c has the
+ * points Nodes + Offsets[c] to Nodes + Offsets[c + 1] - 1 between its nodes.
+ */
+struct NodeGraph
+{
+  std::vector<double> Points;   ///< x, y, z of each point
+  std::vector<Index> Offsets;   ///< for each crossing, and the end
+  std::vector<Index> Component; ///< of each node, numbered from 0 by their first node
+  Index Nodes = 0;
+  Index Components = 0;
+
+  Index Count() const { return static_cast<Index>(this->Points.size() / 3); }
+  Index FirstPoint(Index arc) const { return this->Nodes + this->Offsets[arc]; }
+  Index PointCount(Index arc) const { return this->Offsets[arc + 1] - this->Offsets[arc]; }
+};
+
+/**
+ * Builds G. Contour vertices at the place of their own crossing are the node point and are not
+ * repeated. An arc that has no vertex of its own and returns to the grid edge from which it started
+ * (possible only where a contour runs along the edge, or after reconciliation) gets one, slightly
+ * inside its face, so that no two arcs coincide.
+ */
+NodeGraph BuildNodeGraph(const Contours& contours, const SpatialGrid& grid,
+  const Crossings& crossings, const NodePoints& nodes, const Execution& execution);
+}
+
+#endif

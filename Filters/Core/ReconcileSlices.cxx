@@ -1,0 +1,435 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReconcileSlices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace orthoslices
+{
+namespace
+{
+/// A vertex of M where the slice across `Axis` has a doubtful winding number.
+struct Doubt
+{
+  std::uint64_t Vertex;
+  int Axis;
+  int Winding;
+};
+
+/// Adds `Amount` loops (counter-clockwise if positive) around a vertex to its slice across Axis.
+struct Correction
+{
+  std::array<Index, 3> Vertex;
+  int Axis;
+  int Amount;
+};
+
+class Reconciler
+{
+public:
+  Reconciler(const SpatialGrid& grid, Crossings& crossings, EdgeRegister& edges,
+    std::vector<IsolatedLoop>& isolated)
+    : Grid(grid)
+    , Code(grid)
+    , Set(crossings)
+    , Edges(edges)
+    , Isolated(isolated)
+  {
+  }
+
+  Reconciliation Run();
+
+private:
+  GridEdge EdgeOf(Index edge) const
+  {
+    return this->Code.Decode(this->Set.Edge[this->Edges.Crossing[this->Edges.Offsets[edge]]]);
+  }
+  std::vector<Doubt> FindDoubts() const;
+  int SignSum(Index edge, int family) const;
+  void AddDoubts(
+    const GridEdge& edge, Index end, const int winding[2], std::vector<Doubt>& doubts) const;
+  std::vector<Correction> Decide(std::vector<Doubt>& doubts);
+  void InsertLoop(const Correction& correction);
+
+  void MatchEdges();
+  void MatchEdge(Index edge, int label);
+  std::vector<Index> Alternate(Index begin, Index end, int label);
+  void SnipUnmatched(const std::vector<Index>& list, const std::vector<std::uint8_t>& matched);
+  void Snip(Index a, Index b);
+  void JoinArcs(Index incoming, Index outgoing);
+  void AddIsolated(Index firstRun);
+
+  const SpatialGrid& Grid;
+  GridEdgeCode Code;
+  Crossings& Set;
+  EdgeRegister& Edges;
+  std::vector<IsolatedLoop>& Isolated;
+  Reconciliation Report;
+};
+
+int Reconciler::SignSum(Index edge, int family) const
+{
+  int sum = 0;
+  for (Index i = this->Edges.Offsets[edge]; i < this->Edges.Offsets[edge + 1]; ++i)
+  {
+    const Index crossing = this->Edges.Crossing[i];
+    sum += this->Set.Family[crossing] == family ? this->Set.Sign(crossing) : 0;
+  }
+  return sum;
+}
+
+bool OnSameLine(const GridEdge& a, const GridEdge& b)
+{
+  return a.Direction == b.Direction && a.First == b.First && a.Second == b.Second;
+}
+
+bool IsDoubtful(const int winding[2])
+{
+  return winding[0] != winding[1] || winding[0] < 0 || winding[0] > 1;
+}
+
+/// Vertices from the upper end of the edge to the lower end of slab `end` of the same grid line.
+void Reconciler::AddDoubts(
+  const GridEdge& edge, Index end, const int winding[2], std::vector<Doubt>& doubts) const
+{
+  std::array<Index, 3> place;
+  place[FirstAxis(edge.Direction)] = edge.First;
+  place[SecondAxis(edge.Direction)] = edge.Second;
+  for (Index k = edge.Slab; k < end; ++k)
+  {
+    place[edge.Direction] = k;
+    const std::uint64_t vertex =
+      (static_cast<std::uint64_t>(place[0]) * this->Grid.Count(1) + place[1]) *
+        this->Grid.Count(2) +
+      place[2];
+    doubts.push_back({ vertex, FirstAxis(edge.Direction), winding[0] });
+    doubts.push_back({ vertex, SecondAxis(edge.Direction), winding[1] });
+  }
+}
+
+/// Sums the signs along every grid line. A vertex with any doubt is found on two of its three
+/// lines.
+std::vector<Doubt> Reconciler::FindDoubts() const
+{
+  std::vector<Doubt> doubts;
+  GridEdge previous{ -1, 0, 0, 0 };
+  int winding[2] = { 0, 0 };
+  for (Index e = 0; e < this->Edges.Count(); ++e)
+  {
+    const GridEdge edge = this->EdgeOf(e);
+    if (!OnSameLine(edge, previous))
+    {
+      winding[0] = winding[1] = 0;
+    }
+    else if (IsDoubtful(winding))
+    {
+      this->AddDoubts(previous, edge.Slab, winding, doubts);
+    }
+    winding[0] += this->SignSum(e, 0);
+    winding[1] += this->SignSum(e, 1);
+    previous = edge;
+  }
+  return doubts;
+}
+
+std::vector<Correction> Reconciler::Decide(std::vector<Doubt>& doubts)
+{
+  std::sort(doubts.begin(), doubts.end(),
+    [](const Doubt& a, const Doubt& b)
+    { return a.Vertex != b.Vertex ? a.Vertex < b.Vertex : a.Axis < b.Axis; });
+  std::vector<Correction> corrections;
+  for (std::size_t i = 0; i < doubts.size();)
+  {
+    const std::uint64_t vertex = doubts[i].Vertex;
+    std::array<int, 3> winding{ 0, 0, 0 };
+    for (; i < doubts.size() && doubts[i].Vertex == vertex; ++i)
+    {
+      winding[doubts[i].Axis] = doubts[i].Winding;
+    }
+    std::array<int, 3> votes = winding;
+    std::sort(votes.begin(), votes.end());
+    const int label = std::clamp(votes[1], 0, 1);
+    const std::uint64_t nz = this->Grid.Count(2);
+    const std::uint64_t ny = this->Grid.Count(1);
+    const std::array<Index, 3> place{ static_cast<Index>(vertex / nz / ny),
+      static_cast<Index>(vertex / nz % ny), static_cast<Index>(vertex % nz) };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (winding[axis] != label)
+      {
+        corrections.push_back({ place, axis, label - winding[axis] });
+      }
+    }
+    ++this->Report.Vertices;
+  }
+  return corrections;
+}
+
+/// Four crossings around the vertex, on the four edges that leave it within the slice.
+void Reconciler::InsertLoop(const Correction& correction)
+{
+  const int u = FirstAxis(correction.Axis);
+  const int v = SecondAxis(correction.Axis);
+  const Index slice = correction.Vertex[correction.Axis];
+  const Index i = correction.Vertex[u];
+  const Index j = correction.Vertex[v];
+  const double atU = this->Grid.Planes[u][i];
+  const double atV = this->Grid.Planes[v][j];
+  // Counter-clockwise from the upper right face.
+  struct Step
+  {
+    bool CrossesU;
+    Index Slab;
+    int Direction;
+  };
+  const Step steps[4] = { { true, j + 1, -1 }, { false, i, -1 }, { true, j, 1 },
+    { false, i + 1, 1 } };
+  const int turn = correction.Amount > 0 ? 1 : -1;
+  const Index first = this->Set.Count();
+  this->Set.Resize(first + 4);
+  for (int s = 0; s < 4; ++s)
+  {
+    const Index c = first + s;
+    const Step& step = steps[turn > 0 ? s : 3 - s];
+    const GridEdge edge =
+      step.CrossesU ? GridEdge{ v, slice, i, step.Slab } : GridEdge{ u, j, slice, step.Slab };
+    this->Set.Edge[c] = this->Code.Encode(edge);
+    this->Set.Position[c] = step.CrossesU ? atV : atU;
+    this->Set.Direction[c] = static_cast<std::int8_t>(turn * step.Direction);
+    this->Set.Family[c] = step.CrossesU ? 0 : 1;
+    this->Set.Next[c] = first + (s + 1) % 4;
+    this->Set.Previous[c] = first + (s + 3) % 4;
+    this->Set.RunContour[c] = Crossings::None;
+    this->Set.RunFirst[c] = 0;
+    this->Set.RunCount[c] = 0;
+    this->Set.RunNext[c] = Crossings::None;
+    this->Set.ArcLastRun[c] = c;
+  }
+}
+
+/**
+ * The crossings of one family on an edge in alternating order, from the label at the edge's lower
+ * end. They already alternate unless contours touch or cross, or a loop was inserted; then rising
+ * and falling ones are interleaved, each in their order, and positions are made ascending again.
+ */
+std::vector<Index> Reconciler::Alternate(Index begin, Index end, int label)
+{
+  std::vector<Index> list(this->Edges.Crossing.begin() + begin, this->Edges.Crossing.begin() + end);
+  int expected = label == 0 ? 1 : -1;
+  bool alternates = true;
+  for (const Index c : list)
+  {
+    alternates &= this->Set.Sign(c) == expected;
+    expected = -expected;
+  }
+  if (alternates)
+  {
+    return list;
+  }
+  std::vector<Index> rising, falling;
+  for (const Index c : list)
+  {
+    (this->Set.Sign(c) > 0 ? rising : falling).push_back(c);
+  }
+  bool rises = label == 0;
+  auto rise = rising.begin();
+  auto fall = falling.begin();
+  double position = this->Set.Position[list.front()];
+  for (Index& c : list)
+  {
+    c = rises ? *rise++ : *fall++;
+    rises = !rises;
+    position = std::max(position, this->Set.Position[c]);
+    this->Set.Position[c] = position;
+  }
+  return list;
+}
+
+void Reconciler::JoinArcs(Index incoming, Index outgoing)
+{
+  const Index arc = this->Set.Previous[incoming];
+  if (arc == outgoing)
+  {
+    this->AddIsolated(outgoing);
+    return;
+  }
+  this->Set.RunNext[this->Set.ArcLastRun[arc]] = outgoing;
+  this->Set.ArcLastRun[arc] = this->Set.ArcLastRun[outgoing];
+  this->Set.Next[arc] = this->Set.Next[outgoing];
+  this->Set.Previous[this->Set.Next[outgoing]] = arc;
+}
+
+void Reconciler::AddIsolated(Index firstRun)
+{
+  Index vertices = 0;
+  for (Index run = firstRun; run != Crossings::None; run = this->Set.RunNext[run])
+  {
+    vertices += this->Set.RunCount[run];
+  }
+  if (vertices >= 3)
+  {
+    this->Isolated.push_back({ firstRun, Crossings::None });
+  }
+}
+
+/// On each side of the crossed plane, the arc that ends at one of the two goes on from the other.
+void Reconciler::Snip(Index a, Index b)
+{
+  this->JoinArcs(a, b);
+  this->JoinArcs(b, a);
+  this->Set.Next[a] = Crossings::Removed;
+  this->Set.Next[b] = Crossings::Removed;
+}
+
+void Reconciler::SnipUnmatched(
+  const std::vector<Index>& list, const std::vector<std::uint8_t>& matched)
+{
+  // Unmatched entries between two matched ones are even in number: neighbours go together.
+  for (std::size_t i = 0; i + 1 < list.size(); ++i)
+  {
+    if (!matched[i])
+    {
+      this->Snip(list[i], list[i + 1]);
+      ++i;
+    }
+  }
+}
+
+void Reconciler::MatchEdge(Index edge, int label)
+{
+  const Index begin = this->Edges.Offsets[edge];
+  const Index end = this->Edges.Offsets[edge + 1];
+  Index middle = begin;
+  while (middle < end && this->Set.Family[this->Edges.Crossing[middle]] == 0)
+  {
+    ++middle;
+  }
+  if (middle - begin == 1 && end - middle == 1)
+  {
+    return;
+  }
+  const std::vector<Index> lists[2] = { this->Alternate(begin, middle, label),
+    this->Alternate(middle, end, label) };
+  std::copy(lists[0].begin(), lists[0].end(), this->Edges.Crossing.begin() + begin);
+  std::copy(lists[1].begin(), lists[1].end(), this->Edges.Crossing.begin() + middle);
+  std::vector<double> positions[2];
+  std::vector<std::uint8_t> matched[2];
+  for (int family = 0; family < 2; ++family)
+  {
+    for (const Index c : lists[family])
+    {
+      positions[family].push_back(this->Set.Position[c]);
+    }
+    matched[family].assign(lists[family].size(), 0);
+  }
+  std::vector<std::pair<Index, Index>> pairs;
+  MatchAlternating(positions[0], positions[1], pairs);
+  for (const auto& pair : pairs)
+  {
+    matched[0][pair.first] = 1;
+    matched[1][pair.second] = 1;
+  }
+  if (2 * pairs.size() < static_cast<std::size_t>(end - begin))
+  {
+    ++this->Report.Edges;
+    this->SnipUnmatched(lists[0], matched[0]);
+    this->SnipUnmatched(lists[1], matched[1]);
+  }
+}
+
+/// Follows the label, which is now the same for both families, along every grid line.
+void Reconciler::MatchEdges()
+{
+  GridEdge previous{ -1, 0, 0, 0 };
+  int label = 0;
+  for (Index e = 0; e < this->Edges.Count(); ++e)
+  {
+    const GridEdge edge = this->EdgeOf(e);
+    const int change = this->SignSum(e, 0);
+    label = OnSameLine(edge, previous) ? label : 0;
+    this->MatchEdge(e, label);
+    label += change;
+    previous = edge;
+  }
+}
+
+Reconciliation Reconciler::Run()
+{
+  std::vector<Doubt> doubts = this->FindDoubts();
+  for (const Correction& correction : this->Decide(doubts))
+  {
+    for (int i = 0; i < std::abs(correction.Amount); ++i)
+    {
+      this->InsertLoop(correction);
+    }
+  }
+  if (this->Report.Vertices > 0)
+  {
+    this->Edges = FileOnEdges(this->Set);
+  }
+  this->MatchEdges();
+  return this->Report;
+}
+}
+
+void MatchAlternating(const std::vector<double>& first, const std::vector<double>& second,
+  std::vector<std::pair<Index, Index>>& matched)
+{
+  const std::size_t n = first.size();
+  const std::size_t m = second.size();
+  matched.clear();
+  constexpr std::size_t largestTable = 1u << 22;
+  if ((n + 1) * (m + 1) > largestTable)
+  {
+    // Thousands of crossings on one edge: match in order; still valid, no longer the least change.
+    for (std::size_t i = 0; i < std::min(n, m); ++i)
+    {
+      matched.emplace_back(static_cast<Index>(i), static_cast<Index>(i));
+    }
+    return;
+  }
+  constexpr double unreachable = std::numeric_limits<double>::infinity();
+  std::vector<double> cost((n + 1) * (m + 1), unreachable);
+  const auto at = [&](std::size_t i, std::size_t j) -> double& { return cost[i * (m + 1) + j]; };
+  // The three ways to end the matching of the first i and the first j entries.
+  const auto match = [&](std::size_t i, std::size_t j)
+  {
+    return i > 0 && j > 0 ? at(i - 1, j - 1) + std::abs(first[i - 1] - second[j - 1]) : unreachable;
+  };
+  const auto dropFirst = [&](std::size_t i, std::size_t j)
+  { return i > 1 ? at(i - 2, j) + (first[i - 1] - first[i - 2]) : unreachable; };
+  const auto dropSecond = [&](std::size_t i, std::size_t j)
+  { return j > 1 ? at(i, j - 2) + (second[j - 1] - second[j - 2]) : unreachable; };
+  for (std::size_t i = 0; i <= n; ++i)
+  {
+    for (std::size_t j = i % 2; j <= m; j += 2)
+    {
+      at(i, j) = i + j == 0 ? 0.0 : std::min({ match(i, j), dropFirst(i, j), dropSecond(i, j) });
+    }
+  }
+  for (std::size_t i = n, j = m; i + j > 0;)
+  {
+    if (at(i, j) == match(i, j))
+    {
+      matched.emplace_back(static_cast<Index>(--i), static_cast<Index>(--j));
+    }
+    else if (at(i, j) == dropFirst(i, j))
+    {
+      i -= 2;
+    }
+    else
+    {
+      j -= 2;
+    }
+  }
+  std::reverse(matched.begin(), matched.end());
+}
+
+Reconciliation ReconcileSlices(const SpatialGrid& grid, Crossings& crossings, EdgeRegister& edges,
+  std::vector<IsolatedLoop>& isolated)
+{
+  return Reconciler(grid, crossings, edges, isolated).Run();
+}
+}

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Reconstruct.h"
+
+#include "AssembleContours.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthoslices
+{
+namespace
+{
+/// Absolute tolerance from the bounds of all finite coordinates.
+double AbsoluteTolerance(const std::array<Pieces, 3>& pieces, double fraction)
+{
+  Point3 low, high;
+  low.fill(HUGE_VAL);
+  high.fill(-HUGE_VAL);
+  for (const Pieces& set : pieces)
+  {
+    const auto extend = [&](int axis, const std::vector<double>& values)
+    {
+      for (const double x : values)
+      {
+        if (std::isfinite(x))
+        {
+          low[axis] = std::min(low[axis], x);
+          high[axis] = std::max(high[axis], x);
+        }
+      }
+    };
+    extend(FirstAxis(set.Axis), set.U);
+    extend(SecondAxis(set.Axis), set.V);
+    extend(set.Axis, set.W);
+  }
+  const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  return std::isfinite(diagonal) ? fraction * diagonal : 0.0;
+}
+
+IsolatedContours CopyIsolated(
+  const std::vector<IsolatedLoop>& loops, const Contours& contours, const Crossings& crossings)
+{
+  IsolatedContours isolated;
+  const auto add = [&](Index contour, Index first, Index count)
+  {
+    for (Index i = 0; i < count; ++i)
+    {
+      Index vertex = first + i;
+      vertex -= vertex >= contours.Offsets[contour + 1] ? contours.Size(contour) : 0;
+      const Point3 point = contours.World(contour, vertex);
+      isolated.Points.insert(isolated.Points.end(), point.begin(), point.end());
+    }
+  };
+  for (const IsolatedLoop& loop : loops)
+  {
+    Index member = loop.Contour;
+    if (loop.FirstRun == Crossings::None)
+    {
+      add(member, contours.Offsets[member], contours.Size(member));
+    }
+    for (Index run = loop.FirstRun; run != Crossings::None; run = crossings.RunNext[run])
+    {
+      if (crossings.RunCount[run] > 0)
+      {
+        member = crossings.RunContour[run];
+        add(member, crossings.RunFirst[run], crossings.RunCount[run]);
+      }
+    }
+    isolated.Offsets.push_back(static_cast<Index>(isolated.Points.size() / 3));
+    isolated.Axis.push_back(contours.Axis[member]);
+    isolated.Plane.push_back(contours.Plane[member]);
+  }
+  return isolated;
+}
+
+/// Names the share of the work that is done, and asks whether to go on.
+bool GoOn(const Execution& execution, Reconstruction& result, double progress)
+{
+  result.Stopped = !execution.Continue(progress);
+  return !result.Stopped;
+}
+
+void CountContours(const Contours& contours, Reconstruction& result)
+{
+  for (const std::int8_t axis : contours.Axis)
+  {
+    ++result.ContourCount[axis];
+  }
+}
+}
+
+Reconstruction Reconstruct(
+  std::array<Pieces, 3>&& pieces, const Options& options, const Execution& execution)
+{
+  Reconstruction result;
+  const double tolerance = AbsoluteTolerance(pieces, options.PlaneTolerance);
+  Contours contours;
+  for (Pieces& set : pieces)
+  {
+    AssembleContours(std::move(set), tolerance, contours, result.Problems);
+  }
+  if (!GoOn(execution, result, 0.15))
+  {
+    return result;
+  }
+  result.Grid = BuildSpatialGrid(contours, tolerance);
+  const Index assembled = contours.Count();
+  OrientContours(options.Orient, execution, contours, result.Problems);
+  if (contours.Count() < assembled)
+  {
+    // A plane whose contours were all removed says nothing: it must not count as empty.
+    result.Grid = BuildSpatialGrid(contours, tolerance);
+  }
+  CountContours(contours, result);
+  const bool refused = options.RefuseProblems && !result.Problems.empty();
+  if (refused || !GoOn(execution, result, 0.35))
+  {
+    return result;
+  }
+  std::vector<IsolatedLoop> isolated;
+  result.Lattice = RegisterCrossings(contours, result.Grid, execution, isolated);
+  EdgeRegister edges = FileOnEdges(result.Lattice);
+  if (!GoOn(execution, result, 0.5))
+  {
+    return result;
+  }
+  result.Reconciled = ReconcileSlices(result.Grid, result.Lattice, edges, isolated);
+  result.Nodes = PairNodePoints(result.Lattice, edges);
+  edges = EdgeRegister();
+  result.Graph = BuildNodeGraph(contours, result.Grid, result.Lattice, result.Nodes, execution);
+  const std::vector<double> normals =
+    ComputeNodeNormals(contours, result.Grid, result.Lattice, result.Nodes, execution);
+  result.Isolated = CopyIsolated(isolated, contours, result.Lattice);
+  contours = Contours();
+  if (!GoOn(execution, result, 0.65))
+  {
+    return result;
+  }
+  result.Polygons = TraceCycles(result.Grid, result.Lattice, result.Nodes);
+  result.CentralPoints = LocateCentralPoints(options.Central, result.Grid, result.Graph,
+    result.Lattice, result.Nodes, normals, result.Polygons, execution);
+  result.Triangles = LayOutTriangles(result.Graph, result.Polygons);
+  GoOn(execution, result, 0.8);
+  return result;
+}
+}

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RegisterCrossings.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace orthoslices
+{
+void Crossings::Resize(std::size_t count)
+{
+  this->Edge.resize(count);
+  this->Position.resize(count);
+  this->Direction.resize(count);
+  this->Family.resize(count);
+  for (std::vector<Index>* array : { &this->Next, &this->Previous, &this->RunContour,
+         &this->RunFirst, &this->RunCount, &this->RunNext, &this->ArcLastRun })
+  {
+    array->resize(count);
+  }
+}
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// One contour's walk through the faces of its slice, with the planes of its two in-plane axes.
+class ContourWalk
+{
+public:
+  ContourWalk(const Contours& contours, Index contour, const SpatialGrid& grid)
+    : Set(contours)
+    , Contour(contour)
+    , Begin(contours.Offsets[contour])
+    , End(contours.Offsets[contour + 1])
+    , Grid(grid)
+    , Axis(contours.Axis[contour])
+    , U(grid.Planes[FirstAxis(contours.Axis[contour])])
+    , V(grid.Planes[SecondAxis(contours.Axis[contour])])
+  {
+  }
+
+  /// Calls visit(vertex, u-plane crossed?, plane, direction, slab of the other axis, position).
+  template <typename Visit>
+  void Run(Visit&& visit);
+
+private:
+  static bool Inside(const std::vector<double>& planes, Index slab, double x)
+  {
+    return (slab == 0 || planes[slab - 1] <= x) &&
+      (slab == static_cast<Index>(planes.size()) || x < planes[slab]);
+  }
+
+  template <typename Visit>
+  void CrossSegment(Index vertex, Index next, Visit&& visit);
+
+  /// Parameter along the segment at which the next plane of an axis is crossed.
+  static double NextParameter(
+    const std::vector<double>& planes, Index slab, Index target, double from, double to)
+  {
+    if (slab == target)
+    {
+      return Infinity;
+    }
+    return (planes[target > slab ? slab : slab - 1] - from) / (to - from);
+  }
+
+  const Contours& Set;
+  Index Contour, Begin, End;
+  const SpatialGrid& Grid;
+  int Axis;
+  const std::vector<double>& U;
+  const std::vector<double>& V;
+  Index SlabU = 0, SlabV = 0;
+};
+
+template <typename Visit>
+void ContourWalk::Run(Visit&& visit)
+{
+  this->SlabU = this->Grid.Slab(FirstAxis(this->Axis), this->Set.U[this->Begin]);
+  this->SlabV = this->Grid.Slab(SecondAxis(this->Axis), this->Set.V[this->Begin]);
+  for (Index i = this->Begin; i < this->End; ++i)
+  {
+    const Index next = i + 1 < this->End ? i + 1 : this->Begin;
+    if (!Inside(this->U, this->SlabU, this->Set.U[next]) ||
+      !Inside(this->V, this->SlabV, this->Set.V[next]))
+    {
+      this->CrossSegment(i, next, visit);
+    }
+  }
+}
+
+double Interpolate(double from, double to, double t)
+{
+  return t <= 0.0 ? from : t >= 1.0 ? to : from + t * (to - from);
+}
+
+template <typename Visit>
+void ContourWalk::CrossSegment(Index vertex, Index next, Visit&& visit)
+{
+  const double u0 = this->Set.U[vertex], u1 = this->Set.U[next];
+  const double v0 = this->Set.V[vertex], v1 = this->Set.V[next];
+  const Index targetU = this->Grid.Slab(FirstAxis(this->Axis), u1);
+  const Index targetV = this->Grid.Slab(SecondAxis(this->Axis), v1);
+  // Through a vertex of M: the axis with the larger infinitesimal decides.
+  const bool uLarger = FirstAxis(this->Axis) < SecondAxis(this->Axis);
+  const bool uFirstInTie = uLarger ? u1 > u0 : v1 < v0;
+  while (this->SlabU != targetU || this->SlabV != targetV)
+  {
+    const double tu = NextParameter(this->U, this->SlabU, targetU, u0, u1);
+    const double tv = NextParameter(this->V, this->SlabV, targetV, v0, v1);
+    if (tu < tv || (tu == tv && uFirstInTie))
+    {
+      const int direction = targetU > this->SlabU ? 1 : -1;
+      const Index plane = direction > 0 ? this->SlabU : this->SlabU - 1;
+      visit(vertex, true, plane, direction, this->SlabV,
+        this->Grid.Clamp(SecondAxis(this->Axis), this->SlabV, Interpolate(v0, v1, tu)));
+      this->SlabU += direction;
+    }
+    else
+    {
+      const int direction = targetV > this->SlabV ? 1 : -1;
+      const Index plane = direction > 0 ? this->SlabV : this->SlabV - 1;
+      visit(vertex, false, plane, direction, this->SlabU,
+        this->Grid.Clamp(FirstAxis(this->Axis), this->SlabU, Interpolate(u0, u1, tv)));
+      this->SlabV += direction;
+    }
+  }
+}
+
+/// Writes the crossings of one contour to places [first, last) and links them.
+void FillContour(const Contours& contours, Index contour, const SpatialGrid& grid,
+  const GridEdgeCode& code, Index first, Index last, Crossings& crossings)
+{
+  const int axis = contours.Axis[contour];
+  const Index slice = contours.Plane[contour];
+  const Index begin = contours.Offsets[contour];
+  const Index size = contours.Size(contour);
+  Index c = first;
+  ContourWalk(contours, contour, grid)
+    .Run(
+      [&](Index vertex, bool crossesU, Index plane, int direction, Index slab, double position)
+      {
+        // Across a u-plane the grid line runs along v, whose first axis is that of the slice.
+        const GridEdge edge = crossesU ? GridEdge{ SecondAxis(axis), slice, plane, slab }
+                                       : GridEdge{ FirstAxis(axis), plane, slice, slab };
+        crossings.Edge[c] = code.Encode(edge);
+        crossings.Position[c] = position;
+        crossings.Direction[c] = static_cast<std::int8_t>(direction);
+        crossings.Family[c] = crossesU ? 0 : 1;
+        crossings.RunFirst[c] = vertex + 1 < begin + size ? vertex + 1 : begin;
+        ++c;
+      });
+  for (c = first; c < last; ++c)
+  {
+    const Index next = c + 1 < last ? c + 1 : first;
+    crossings.Next[c] = next;
+    crossings.Previous[next] = c;
+    crossings.RunContour[c] = contour;
+    crossings.RunNext[c] = Crossings::None;
+    crossings.ArcLastRun[c] = c;
+    const auto segment = [&](Index i)
+    { return crossings.RunFirst[i] == begin ? begin + size - 1 : crossings.RunFirst[i] - 1; };
+    crossings.RunCount[c] = segment(next) - segment(c) + (next == first ? size : 0);
+  }
+}
+}
+
+Crossings RegisterCrossings(const Contours& contours, const SpatialGrid& grid,
+  const Execution& execution, std::vector<IsolatedLoop>& isolated)
+{
+  const std::size_t count = contours.Count();
+  std::vector<Index> offsets(count + 1, 0);
+  execution.For(count,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        ContourWalk(contours, static_cast<Index>(i), grid)
+          .Run([&](Index, bool, Index, int, Index, double) { ++offsets[i + 1]; });
+      }
+    });
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (offsets[i + 1] == 0)
+    {
+      isolated.push_back({ Crossings::None, static_cast<Index>(i) });
+    }
+    offsets[i + 1] += offsets[i];
+  }
+  Crossings crossings;
+  crossings.Resize(offsets.back());
+  const GridEdgeCode code(grid);
+  execution.For(count,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        FillContour(
+          contours, static_cast<Index>(i), grid, code, offsets[i], offsets[i + 1], crossings);
+      }
+    });
+  return crossings;
+}
+
+EdgeRegister FileOnEdges(const Crossings& crossings)
+{
+  struct Entry
+  {
+    std::uint64_t EdgeAndFamily;
+    double Position;
+    Index Crossing;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(crossings.Count());
+  for (Index c = 0; c < crossings.Count(); ++c)
+  {
+    if (!crossings.IsRemoved(c))
+    {
+      entries.push_back({ 2 * crossings.Edge[c] + crossings.Family[c], crossings.Position[c], c });
+    }
+  }
+  std::sort(entries.begin(), entries.end(),
+    [](const Entry& a, const Entry& b)
+    {
+      return a.EdgeAndFamily != b.EdgeAndFamily ? a.EdgeAndFamily < b.EdgeAndFamily
+        : a.Position != b.Position              ? a.Position < b.Position
+                                                : a.Crossing < b.Crossing;
+    });
+  EdgeRegister filed;
+  filed.Crossing.reserve(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    if (i > 0 && entries[i].EdgeAndFamily / 2 != entries[i - 1].EdgeAndFamily / 2)
+    {
+      filed.Offsets.push_back(static_cast<Index>(i));
+    }
+    filed.Crossing.push_back(entries[i].Crossing);
+  }
+  if (!entries.empty())
+  {
+    filed.Offsets.push_back(static_cast<Index>(entries.size()));
+  }
+  return filed;
+}
+
+Point3 CrossingPoint(
+  const SpatialGrid& grid, const GridEdgeCode& code, std::uint64_t edge, double position)
+{
+  const GridEdge place = code.Decode(edge);
+  Point3 point;
+  point[place.Direction] = position;
+  point[FirstAxis(place.Direction)] = grid.Planes[FirstAxis(place.Direction)][place.First];
+  point[SecondAxis(place.Direction)] = grid.Planes[SecondAxis(place.Direction)][place.Second];
+  return point;
+}
+}

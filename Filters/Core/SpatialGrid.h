@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesSpatialGrid_h
+#define OrthoSlicesSpatialGrid_h
+
+#include "Types.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+/**
+ * The spatial grid M of the paper (section 4): the planes of all slices, ascending and distinct on
+ * each axis, and the cells, faces, edges and vertices between them.
+ *
+ * *Slab* k of an axis lies between planes k - 1 and k; slab 0 and slab n (n planes) are unbounded.
+ * A coordinate equal to a plane's lies on its upper side. This symbolic rule, used everywhere, is
+ * why no singular cases exist (contours through grid edges, vertices on planes, collinear
+ * segments).
+ *
+ * An *edge* of M runs along axis t on the intersection of plane i of FirstAxis(t) with plane j of
+ * SecondAxis(t), within slab k of t. All edges with the same t, i, j form a *grid line*.
+ */
+struct SpatialGrid
+{
+  std::array<std::vector<double>, 3> Planes;
+
+  Index Count(int axis) const { return static_cast<Index>(this->Planes[axis].size()); }
+
+  /// Slab of a coordinate: the number of planes that are not above it.
+  Index Slab(int axis, double coordinate) const
+  {
+    const auto& planes = this->Planes[axis];
+    return static_cast<Index>(
+      std::upper_bound(planes.begin(), planes.end(), coordinate) - planes.begin());
+  }
+
+  /// Moves a coordinate into the closed slab.
+  double Clamp(int axis, Index slab, double coordinate) const
+  {
+    const auto& planes = this->Planes[axis];
+    if (slab > 0)
+    {
+      coordinate = std::max(coordinate, planes[slab - 1]);
+    }
+    if (slab < this->Count(axis))
+    {
+      coordinate = std::min(coordinate, planes[slab]);
+    }
+    return coordinate;
+  }
+
+  /// Mean distance of consecutive planes; 0 for fewer than two planes.
+  double MeanSpacing(int axis) const
+  {
+    const auto& planes = this->Planes[axis];
+    return planes.size() < 2 ? 0.0 : (planes.back() - planes.front()) / (planes.size() - 1.0);
+  }
+};
+
+/// An edge of M in numbers: direction, the planes of the other two axes, slab.
+struct GridEdge
+{
+  int Direction;
+  Index First;  ///< plane of FirstAxis(Direction)
+  Index Second; ///< plane of SecondAxis(Direction)
+  Index Slab;   ///< slab of Direction
+};
+
+/// Packs the edges of a grid into one number, ascending along each grid line.
+class GridEdgeCode
+{
+public:
+  explicit GridEdgeCode(const SpatialGrid& grid);
+
+  std::uint64_t Encode(const GridEdge& edge) const
+  {
+    const int t = edge.Direction;
+    return this->Base[t] +
+      (static_cast<std::uint64_t>(edge.First) * this->Count[SecondAxis(t)] + edge.Second) *
+      (this->Count[t] + 1) +
+      edge.Slab;
+  }
+  GridEdge Decode(std::uint64_t code) const;
+
+private:
+  std::array<std::uint64_t, 3> Count; ///< planes on each axis
+  std::array<std::uint64_t, 3> Base;  ///< code of the first edge in each direction
+};
+
+/**
+ * Finds the planes of all contours and sets Contours::Plane. Planes closer than `tolerance` to the
+ * first of a group become one at the median coordinate of the group's contours; the contours move
+ * onto it.
+ */
+SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance);
+}
+
+#endif

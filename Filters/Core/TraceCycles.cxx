@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TraceCycles.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+namespace
+{
+/**
+ * The half-arc that follows in the same cell. At its end the arc meets a contour of another slice,
+ * on whose upper or lower side the cell lies: on the upper side the cycle goes on along that
+ * contour, on the lower side it goes back.
+ */
+HalfArc NextHalfArc(const Crossings& crossings, const NodePoints& nodes, const HalfArc& half)
+{
+  const Index end = half.Above ? crossings.Next[half.Arc] : half.Arc;
+  const Index other = nodes.Partner(crossings, end);
+  // Forward we come from the side that the contour leaves here, backward from the one it enters.
+  const bool above = half.Above ? crossings.Direction[end] < 0 : crossings.Direction[end] > 0;
+  return { above ? other : crossings.Previous[other], above };
+}
+
+std::array<Index, 3> CellOf(
+  const GridEdgeCode& code, const Crossings& crossings, const HalfArc& half)
+{
+  // The start of the arc: its edge, the side of the crossed plane it goes to, the side of its
+  // slice.
+  const GridEdge edge = code.Decode(crossings.Edge[half.Arc]);
+  const int t = edge.Direction;
+  const Index side = half.Above ? 1 : 0;
+  const Index after = crossings.Direction[half.Arc] > 0 ? 1 : 0;
+  const bool family0 = crossings.Family[half.Arc] == 0;
+  std::array<Index, 3> cell;
+  cell[t] = edge.Slab;
+  cell[FirstAxis(t)] = edge.First + (family0 ? side : after);
+  cell[SecondAxis(t)] = edge.Second + (family0 ? after : side);
+  return cell;
+}
+}
+
+Cycles TraceCycles(const SpatialGrid& grid, const Crossings& crossings, const NodePoints& nodes)
+{
+  const GridEdgeCode code(grid);
+  Cycles cycles;
+  cycles.Arcs.reserve(2 * static_cast<std::size_t>(crossings.Count()));
+  std::vector<std::uint8_t> visited(2 * static_cast<std::size_t>(crossings.Count()), 0);
+  const auto mark = [&](const HalfArc& half) -> std::uint8_t&
+  { return visited[2 * static_cast<std::size_t>(half.Arc) + (half.Above ? 1 : 0)]; };
+  for (Index arc = 0; arc < crossings.Count(); ++arc)
+  {
+    for (const bool above : { false, true })
+    {
+      HalfArc half{ arc, above };
+      if (crossings.IsRemoved(arc) || mark(half))
+      {
+        continue;
+      }
+      cycles.Cell.push_back(CellOf(code, crossings, half));
+      for (; !mark(half); half = NextHalfArc(crossings, nodes, half))
+      {
+        mark(half) = 1;
+        cycles.Arcs.push_back(half);
+      }
+      cycles.Offsets.push_back(static_cast<Index>(cycles.Arcs.size()));
+    }
+  }
+  return cycles;
+}
+
+void GetBoundary(const NodeGraph& graph, const Crossings& crossings, const NodePoints& nodes,
+  const Cycles& cycles, Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces)
+{
+  points.clear();
+  nodePlaces.clear();
+  for (Index i = cycles.Offsets[cycle]; i < cycles.Offsets[cycle + 1]; ++i)
+  {
+    const HalfArc& half = cycles.Arcs[i];
+    nodePlaces.push_back(static_cast<Index>(points.size()));
+    points.push_back(StartNode(crossings, nodes, half));
+    const Index first = graph.FirstPoint(half.Arc);
+    const Index count = graph.PointCount(half.Arc);
+    for (Index p = 0; p < count; ++p)
+    {
+      points.push_back(half.Above ? first + p : first + count - 1 - p);
+    }
+  }
+}
+
+Index CountCellsWithSeveralCycles(const Cycles& cycles)
+{
+  std::vector<std::array<Index, 3>> cells = cycles.Cell;
+  std::sort(cells.begin(), cells.end());
+  Index several = 0;
+  for (std::size_t i = 1; i < cells.size(); ++i)
+  {
+    const bool second = cells[i] == cells[i - 1] && (i == 1 || cells[i] != cells[i - 2]);
+    several += second ? 1 : 0;
+  }
+  return several;
+}
+
+std::vector<Index> CountPolygonSizes(const Cycles& cycles)
+{
+  std::vector<Index> histogram;
+  for (Index i = 0; i < cycles.Count(); ++i)
+  {
+    const std::size_t size = cycles.Size(i);
+    histogram.resize(std::max(histogram.size(), size + 1), 0);
+    ++histogram[size];
+  }
+  return histogram;
+}
+}

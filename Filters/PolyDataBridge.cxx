@@ -1,0 +1,483 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyDataBridge.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace orthoslices
+{
+namespace
+{
+/// Appends the cells of one vtkCellArray to pieces.
+class PieceReader
+{
+public:
+  PieceReader(vtkPolyData* input, Pieces& pieces)
+    : Points(input->GetPoints()->GetData())
+    , Ghosts(vtkUnsignedCharArray::SafeDownCast(
+        input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName())))
+    , Target(pieces)
+  {
+  }
+
+  void Read(vtkCellArray* cells, bool polygons, vtkIdType firstCell);
+
+private:
+  void AddPoint(vtkIdType point);
+  void AddCell(vtkIdType cell, vtkIdType count, const vtkIdType* points, bool polygon);
+
+  vtkDataArray* Points;
+  vtkUnsignedCharArray* Ghosts;
+  Pieces& Target;
+};
+
+void PieceReader::AddPoint(vtkIdType point)
+{
+  double x[3];
+  if (auto* floats = vtkFloatArray::FastDownCast(this->Points))
+  {
+    std::copy_n(floats->GetPointer(3 * point), 3, x);
+  }
+  else
+  {
+    this->Points->GetTuple(point, x);
+  }
+  this->Target.U.push_back(x[FirstAxis(this->Target.Axis)]);
+  this->Target.V.push_back(x[SecondAxis(this->Target.Axis)]);
+  this->Target.W.push_back(x[this->Target.Axis]);
+}
+
+void PieceReader::AddCell(vtkIdType cell, vtkIdType count, const vtkIdType* points, bool polygon)
+{
+  const unsigned char hidden =
+    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  if (count < 2 || (this->Ghosts && (this->Ghosts->GetValue(cell) & hidden)))
+  {
+    return;
+  }
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    this->AddPoint(points[i]);
+  }
+  Pieces& pieces = this->Target;
+  const std::size_t first = pieces.Offsets.back();
+  const bool repeated = pieces.U.back() == pieces.U[first] && pieces.V.back() == pieces.V[first] &&
+    pieces.W.back() == pieces.W[first];
+  if (repeated)
+  {
+    pieces.U.pop_back();
+    pieces.V.pop_back();
+    pieces.W.pop_back();
+  }
+  pieces.Offsets.push_back(static_cast<Index>(pieces.U.size()));
+  pieces.Cell.push_back(cell);
+  pieces.Closed.push_back(polygon || repeated ? 1 : 0);
+}
+
+void PieceReader::Read(vtkCellArray* cells, bool polygons, vtkIdType firstCell)
+{
+  const std::size_t count = this->Target.U.size() + cells->GetNumberOfConnectivityIds();
+  for (std::vector<double>* values : { &this->Target.U, &this->Target.V, &this->Target.W })
+  {
+    values->reserve(count);
+  }
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    cells->GetCellAtId(i, size, points);
+    this->AddCell(firstCell + i, size, points, polygons);
+  }
+}
+
+vtkSmartPointer<vtkPoints> NewPoints(bool doublePrecision, vtkIdType count)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataType(doublePrecision ? VTK_DOUBLE : VTK_FLOAT);
+  points->SetNumberOfPoints(count);
+  return points;
+}
+
+/// Copies coordinates to the points from number `first` on.
+void CopyPoints(const std::vector<double>& xyz, vtkIdType first, vtkPoints* points)
+{
+  void* target = points->GetData()->GetVoidPointer(3 * first);
+  if (points->GetDataType() == VTK_DOUBLE)
+  {
+    std::copy(xyz.begin(), xyz.end(), static_cast<double*>(target));
+  }
+  else
+  {
+    std::transform(xyz.begin(), xyz.end(), static_cast<float*>(target),
+      [](double x) { return static_cast<float>(x); });
+  }
+}
+
+template <typename Array>
+Array* AddArray(vtkFieldData* data, const char* name, int components, vtkIdType count)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(count);
+  data->AddArray(array);
+  return array; // owned by the data from here on
+}
+
+/// Triangles in the smaller of VTK's two storages that holds them.
+template <typename IdArray>
+void FillTriangles(const Reconstruction& result, const Execution& execution, vtkCellArray* cells)
+{
+  const vtkIdType count = result.Triangles.Count();
+  vtkNew<IdArray> offsets;
+  vtkNew<IdArray> connectivity;
+  offsets->SetNumberOfValues(count + 1);
+  connectivity->SetNumberOfValues(3 * count);
+  auto* offset = offsets->GetPointer(0);
+  for (vtkIdType i = 0; i <= count; ++i)
+  {
+    offset[i] = static_cast<typename IdArray::ValueType>(3 * i);
+  }
+  WriteTriangles(result.Triangles, result.Graph, result.Lattice, result.Nodes, result.Polygons,
+    execution, connectivity->GetPointer(0));
+  cells->SetData(offsets, connectivity);
+}
+
+/// Component, cell of M and size of the polygon, for each triangle.
+void FillCellArrays(const Reconstruction& result, vtkCellData* data)
+{
+  const vtkIdType count = result.Triangles.Count();
+  int* component = AddArray<vtkIntArray>(data, "ComponentId", 1, count)->GetPointer(0);
+  int* cell = AddArray<vtkIntArray>(data, "GridCell", 3, count)->GetPointer(0);
+  int* size = AddArray<vtkIntArray>(data, "PolygonSize", 1, count)->GetPointer(0);
+  const Cycles& polygons = result.Polygons;
+  for (Index i = 0; i < polygons.Count(); ++i)
+  {
+    const HalfArc& half = polygons.Arcs[polygons.Offsets[i]];
+    const Index node = StartNode(result.Lattice, result.Nodes, half);
+    const std::int64_t begin = result.Triangles.Offsets[i];
+    const std::int64_t end = result.Triangles.Offsets[i + 1];
+    std::fill(component + begin, component + end, result.Graph.Component[node]);
+    std::fill(size + begin, size + end, polygons.Size(i));
+    for (std::int64_t triangle = begin; triangle < end; ++triangle)
+    {
+      std::copy(polygons.Cell[i].begin(), polygons.Cell[i].end(), cell + 3 * triangle);
+    }
+  }
+}
+
+/// Sums the area vectors of the triangles at each point; in a fixed order, so always the same.
+template <typename Coordinate, typename Id>
+void SumAreas(const Coordinate* xyz, const Id* triangle, vtkIdType count, float* normals)
+{
+  for (const Id* end = triangle + 3 * count; triangle != end; triangle += 3)
+  {
+    const Coordinate* a = xyz + 3 * static_cast<vtkIdType>(triangle[0]);
+    const Coordinate* b = xyz + 3 * static_cast<vtkIdType>(triangle[1]);
+    const Coordinate* c = xyz + 3 * static_cast<vtkIdType>(triangle[2]);
+    const double ab[3] = { double(b[0]) - a[0], double(b[1]) - a[1], double(b[2]) - a[2] };
+    const double ac[3] = { double(c[0]) - a[0], double(c[1]) - a[1], double(c[2]) - a[2] };
+    const float area[3] = { static_cast<float>(ab[1] * ac[2] - ab[2] * ac[1]),
+      static_cast<float>(ab[2] * ac[0] - ab[0] * ac[2]),
+      static_cast<float>(ab[0] * ac[1] - ab[1] * ac[0]) };
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      float* normal = normals + 3 * static_cast<vtkIdType>(triangle[corner]);
+      normal[0] += area[0];
+      normal[1] += area[1];
+      normal[2] += area[2];
+    }
+  }
+}
+
+template <typename Coordinate>
+void SumAreas(const Coordinate* xyz, vtkCellArray* cells, float* normals)
+{
+  const vtkIdType count = cells->GetNumberOfCells();
+  if (cells->IsStorage64Bit())
+  {
+    SumAreas(xyz, cells->GetConnectivityArray64()->GetPointer(0), count, normals);
+  }
+  else
+  {
+    SumAreas(xyz, cells->GetConnectivityArray32()->GetPointer(0), count, normals);
+  }
+}
+
+void AddNormals(vtkPolyData* surface, const Execution& execution)
+{
+  const vtkIdType count = surface->GetNumberOfPoints();
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(count);
+  normals->Fill(0.0);
+  float* out = normals->GetPointer(0);
+  vtkDataArray* points = surface->GetPoints()->GetData();
+  if (auto* doubles = vtkDoubleArray::FastDownCast(points))
+  {
+    SumAreas(doubles->GetPointer(0), surface->GetPolys(), out);
+  }
+  else
+  {
+    SumAreas(vtkFloatArray::FastDownCast(points)->GetPointer(0), surface->GetPolys(), out);
+  }
+  execution.For(count,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (float* n = out + 3 * begin; n != out + 3 * end; n += 3)
+      {
+        const double length = std::hypot(double(n[0]), double(n[1]), double(n[2]));
+        const double scale = length > 0.0 ? 1.0 / length : 0.0;
+        std::transform(n, n + 3, n, [&](float x) { return static_cast<float>(scale * x); });
+      }
+    });
+  surface->GetPointData()->SetNormals(normals);
+}
+
+void AddFieldData(const Reconstruction& result, vtkFieldData* data)
+{
+  const auto add = [&](const char* name, vtkIdType value)
+  { AddArray<vtkIdTypeArray>(data, name, 1, 1)->SetValue(0, value); };
+  add("NumberOfComponents", result.Graph.Components);
+  add("NumberOfContours",
+    vtkIdType(result.ContourCount[0]) + result.ContourCount[1] + result.ContourCount[2]);
+  add("NumberOfIsolatedContours", result.Isolated.Count());
+  add("NumberOfNodePoints", result.Graph.Nodes);
+  add("NumberOfCellsWithSeveralCycles", CountCellsWithSeveralCycles(result.Polygons));
+  add("NumberOfReconciledVertices", result.Reconciled.Vertices);
+  add("NumberOfReconciledEdges", result.Reconciled.Edges);
+}
+
+/// Writes the cells of port 1 with their arrays, node points first.
+class GraphWriter
+{
+public:
+  GraphWriter(const Reconstruction& result, vtkPolyData* graph);
+
+  void AddNodes();
+  void AddArcs();
+  void AddIsolated();
+
+private:
+  void AddArc(Index arc);
+  void AddRow(double disagreement, int axis, int plane, double length, int component);
+  double SumLength(vtkIdType count, const vtkIdType* ids) const;
+
+  const Reconstruction& Result;
+  vtkPolyData* Graph;
+  GridEdgeCode Code;
+  std::vector<vtkIdType> Ids; ///< points of the line that is being written
+  vtkNew<vtkCellArray> Verts, Lines;
+  vtkNew<vtkDoubleArray> Disagreement, Length;
+  vtkNew<vtkIntArray> SliceAxis, SlicePlane, ComponentId;
+};
+
+GraphWriter::GraphWriter(const Reconstruction& result, vtkPolyData* graph)
+  : Result(result)
+  , Graph(graph)
+  , Code(result.Grid)
+{
+  this->Disagreement->SetName("Disagreement");
+  this->SliceAxis->SetName("SliceAxis");
+  this->SlicePlane->SetName("SlicePlane");
+  this->Length->SetName("Length");
+  this->ComponentId->SetName("ComponentId");
+  const vtkIdType cells =
+    vtkIdType(result.Graph.Nodes) + result.Lattice.Count() + result.Isolated.Count();
+  for (vtkDataArray* array : { static_cast<vtkDataArray*>(this->Disagreement.Get()),
+         static_cast<vtkDataArray*>(this->SliceAxis.Get()),
+         static_cast<vtkDataArray*>(this->SlicePlane.Get()),
+         static_cast<vtkDataArray*>(this->Length.Get()),
+         static_cast<vtkDataArray*>(this->ComponentId.Get()) })
+  {
+    array->Allocate(cells);
+    graph->GetCellData()->AddArray(array);
+  }
+  const vtkIdType ids = vtkIdType(result.Graph.Count()) + 2 * vtkIdType(result.Lattice.Count());
+  if (ids < std::numeric_limits<std::int32_t>::max())
+  {
+    this->Verts->Use32BitStorage();
+    this->Lines->Use32BitStorage();
+  }
+  this->Verts->AllocateExact(result.Graph.Nodes, result.Graph.Nodes);
+  this->Lines->AllocateExact(result.Lattice.Count() + result.Isolated.Count(),
+    ids + result.Isolated.Count() + static_cast<vtkIdType>(result.Isolated.Points.size() / 3));
+  graph->SetVerts(this->Verts);
+  graph->SetLines(this->Lines);
+}
+
+void GraphWriter::AddRow(double disagreement, int axis, int plane, double length, int component)
+{
+  this->Disagreement->InsertNextValue(disagreement);
+  this->SliceAxis->InsertNextValue(axis);
+  this->SlicePlane->InsertNextValue(plane);
+  this->Length->InsertNextValue(length);
+  this->ComponentId->InsertNextValue(component);
+}
+
+void GraphWriter::AddNodes()
+{
+  for (vtkIdType node = 0; node < this->Result.Graph.Nodes; ++node)
+  {
+    this->Verts->InsertNextCell(1, &node);
+    const Index index = static_cast<Index>(node);
+    this->AddRow(NodeDisagreement(this->Result.Lattice, this->Result.Nodes, index), -1, -1, 0.0,
+      this->Result.Graph.Component[index]);
+  }
+}
+
+double GraphWriter::SumLength(vtkIdType count, const vtkIdType* ids) const
+{
+  double length = 0.0;
+  double a[3], b[3];
+  for (vtkIdType i = 1; i < count; ++i)
+  {
+    this->Graph->GetPoint(ids[i - 1], a);
+    this->Graph->GetPoint(ids[i], b);
+    length += std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  }
+  return length;
+}
+
+void GraphWriter::AddArc(Index arc)
+{
+  const Crossings& crossings = this->Result.Lattice;
+  const NodeGraph& graph = this->Result.Graph;
+  const Index start = this->Result.Nodes.NodeOf[arc];
+  this->Ids.assign(1, start);
+  for (Index i = 0; i < graph.PointCount(arc); ++i)
+  {
+    this->Ids.push_back(graph.FirstPoint(arc) + i);
+  }
+  this->Ids.push_back(this->Result.Nodes.NodeOf[crossings.Next[arc]]);
+  const vtkIdType count = static_cast<vtkIdType>(this->Ids.size());
+  this->Lines->InsertNextCell(count, this->Ids.data());
+  const GridEdge edge = this->Code.Decode(crossings.Edge[arc]);
+  const bool first = crossings.Family[arc] == 0;
+  this->AddRow(0.0, first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction),
+    first ? edge.First : edge.Second, this->SumLength(count, this->Ids.data()),
+    graph.Component[start]);
+}
+
+void GraphWriter::AddArcs()
+{
+  for (Index arc = 0; arc < this->Result.Lattice.Count(); ++arc)
+  {
+    if (!this->Result.Lattice.IsRemoved(arc))
+    {
+      this->AddArc(arc);
+    }
+  }
+}
+
+void GraphWriter::AddIsolated()
+{
+  const IsolatedContours& isolated = this->Result.Isolated;
+  for (Index i = 0; i < isolated.Count(); ++i)
+  {
+    this->Ids.clear();
+    for (Index p = isolated.Offsets[i]; p < isolated.Offsets[i + 1]; ++p)
+    {
+      this->Ids.push_back(vtkIdType(this->Result.Graph.Count()) + p);
+    }
+    this->Ids.push_back(this->Ids.front());
+    const vtkIdType count = static_cast<vtkIdType>(this->Ids.size());
+    this->Lines->InsertNextCell(count, this->Ids.data());
+    this->AddRow(
+      0.0, isolated.Axis[i], isolated.Plane[i], this->SumLength(count, this->Ids.data()), -1);
+  }
+}
+}
+
+Pieces ReadPieces(vtkPolyData* input, int axis)
+{
+  Pieces pieces;
+  pieces.Axis = axis;
+  if (input->GetPoints() == nullptr)
+  {
+    return pieces;
+  }
+  PieceReader reader(input, pieces);
+  const vtkIdType verts = input->GetNumberOfVerts();
+  reader.Read(input->GetLines(), false, verts);
+  reader.Read(input->GetPolys(), true, verts + input->GetNumberOfLines());
+  return pieces;
+}
+
+void WriteSurface(const Reconstruction& result, const Execution& execution, bool doublePrecision,
+  bool normals, vtkPolyData* surface)
+{
+  const vtkIdType graphPoints = result.Graph.Count();
+  const vtkIdType count = graphPoints + result.Polygons.Count();
+  auto points = NewPoints(doublePrecision, count);
+  CopyPoints(result.Graph.Points, 0, points);
+  CopyPoints(result.CentralPoints, graphPoints, points);
+  surface->SetPoints(points);
+  vtkNew<vtkCellArray> cells;
+  if (3 * result.Triangles.Count() < std::numeric_limits<std::int32_t>::max())
+  {
+    FillTriangles<vtkTypeInt32Array>(result, execution, cells);
+  }
+  else
+  {
+    FillTriangles<vtkTypeInt64Array>(result, execution, cells);
+  }
+  surface->SetPolys(cells);
+  FillCellArrays(result, surface->GetCellData());
+  AddFieldData(result, surface->GetFieldData());
+  if (normals)
+  {
+    AddNormals(surface, execution);
+  }
+}
+
+void WriteGraph(const Reconstruction& result, bool doublePrecision, vtkPolyData* graph)
+{
+  const vtkIdType isolated = static_cast<vtkIdType>(result.Isolated.Points.size() / 3);
+  auto points = NewPoints(doublePrecision, result.Graph.Count() + isolated);
+  CopyPoints(result.Graph.Points, 0, points);
+  CopyPoints(result.Isolated.Points, result.Graph.Count(), points);
+  graph->SetPoints(points);
+  GraphWriter writer(result, graph);
+  writer.AddNodes();
+  writer.AddArcs();
+  writer.AddIsolated();
+}
+
+void WriteHistogram(const Reconstruction& result, vtkTable* table)
+{
+  const std::vector<Index> histogram = CountPolygonSizes(result.Polygons);
+  vtkNew<vtkIdTypeArray> size;
+  vtkNew<vtkIdTypeArray> count;
+  size->SetName("PolygonSize");
+  count->SetName("Count");
+  const auto smallest =
+    std::find_if(histogram.begin(), histogram.end(), [](Index n) { return n > 0; });
+  for (auto i = smallest; i != histogram.end(); ++i)
+  {
+    size->InsertNextValue(i - histogram.begin());
+    count->InsertNextValue(*i);
+  }
+  table->AddColumn(size);
+  table->AddColumn(count);
+}
+}

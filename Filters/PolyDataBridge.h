@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * The only place where VTK's data become the core's plain data and back.
+ */
+
+#ifndef PolyDataBridge_h
+#define PolyDataBridge_h
+
+#include "Core/Reconstruct.h"
+
+class vtkPolyData;
+class vtkTable;
+
+namespace orthoslices
+{
+/**
+ * Lines and polygons of a port as pieces of contours on slices across `axis`. Ghost cells and cells
+ * of fewer than two points are passed over. Cell numbers are those of vtkPolyData (vertices first).
+ */
+Pieces ReadPieces(vtkPolyData* input, int axis);
+
+/// Port 0: triangles, cell arrays, normals, field data; see vtkOrthogonalSliceReconstruction.
+void WriteSurface(const Reconstruction& result, const Execution& execution, bool doublePrecision,
+  bool normals, vtkPolyData* surface);
+
+/// Port 1: the graph G and the isolated contours.
+void WriteGraph(const Reconstruction& result, bool doublePrecision, vtkPolyData* graph);
+
+/// Port 2: the histogram of polygon sizes.
+void WriteHistogram(const Reconstruction& result, vtkTable* table);
+}
+
+#endif

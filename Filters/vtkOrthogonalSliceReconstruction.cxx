@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkOrthogonalSliceReconstruction.h"
+
+#include "PolyDataBridge.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkTable.h"
+
+#include <limits>
+#include <sstream>
+
+vtkStandardNewMacro(vtkOrthogonalSliceReconstruction);
+
+namespace
+{
+constexpr char AxisNames[] = "xyz";
+
+const char* Describe(orthoslices::ProblemKind kind)
+{
+  switch (kind)
+  {
+    case orthoslices::ProblemKind::NotFinite:
+      return "has a coordinate that is not finite";
+    case orthoslices::ProblemKind::OffPlane:
+      return "leaves its plane";
+    case orthoslices::ProblemKind::Open:
+      return "is open";
+    case orthoslices::ProblemKind::CrossesItself:
+      return "crosses itself";
+    case orthoslices::ProblemKind::CrossesOther:
+      return "crosses another contour of its slice";
+  }
+  return "is unusable";
+}
+
+/// One line for each problem, the first ones only.
+std::string ListProblems(const std::vector<orthoslices::Problem>& problems)
+{
+  constexpr std::size_t most = 10;
+  std::ostringstream text;
+  for (std::size_t i = 0; i < problems.size() && i < most; ++i)
+  {
+    const orthoslices::Problem& problem = problems[i];
+    text << "\n  port " << problem.Port << " (" << AxisNames[problem.Port] << "-slices), cell "
+         << problem.Cell << ": the contour " << Describe(problem.Kind) << " at ("
+         << problem.Where[0] << ", " << problem.Where[1] << ", " << problem.Where[2] << ")";
+  }
+  if (problems.size() > most)
+  {
+    text << "\n  and " << problems.size() - most << " more";
+  }
+  return text.str();
+}
+
+/// What the user should know about a result that is closed all the same; empty if nothing.
+std::string ListDoubts(const orthoslices::Reconstruction& result)
+{
+  std::ostringstream text;
+  if (!result.Problems.empty())
+  {
+    text << "\n"
+         << result.Problems.size() << " contours were left out:" << ListProblems(result.Problems);
+  }
+  if (result.Reconciled.Vertices > 0 || result.Reconciled.Edges > 0)
+  {
+    text << "\nThe slices contradict each other at " << result.Reconciled.Vertices
+         << " grid vertices and on " << result.Reconciled.Edges
+         << " grid edges; they were reconciled there.";
+  }
+  if (result.Isolated.Count() > 0)
+  {
+    text
+      << "\n"
+      << result.Isolated.Count()
+      << " contours cross no orthogonal slice and take no part in the surface; they are the lines"
+         " with ComponentId -1 of the graph output.";
+  }
+  return text.str();
+}
+}
+
+vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
+{
+  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfOutputPorts(3);
+}
+
+int vtkOrthogonalSliceReconstruction::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+int vtkOrthogonalSliceReconstruction::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+vtkPolyData* vtkOrthogonalSliceReconstruction::GetGraphOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+vtkTable* vtkOrthogonalSliceReconstruction::GetHistogramOutput()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+int vtkOrthogonalSliceReconstruction::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  std::array<orthoslices::Pieces, 3> pieces;
+  bool doublePrecision = this->OutputPointsPrecision == DOUBLE_PRECISION;
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkPolyData* input = vtkPolyData::GetData(inputs[port]);
+    if (input == nullptr || input->GetNumberOfLines() + input->GetNumberOfPolys() == 0)
+    {
+      vtkErrorMacro("Port " << port << " (" << AxisNames[port]
+                            << "-slices) has no contours: no lines and no polygons.");
+      return 0;
+    }
+    const vtkIdType vertices = input->GetLines()->GetNumberOfConnectivityIds() +
+      input->GetPolys()->GetNumberOfConnectivityIds();
+    if (vertices > std::numeric_limits<orthoslices::Index>::max() / 8)
+    {
+      vtkErrorMacro("Port " << port << " has " << vertices << " contour vertices, more than "
+                            << std::numeric_limits<orthoslices::Index>::max() / 8 << ".");
+      return 0;
+    }
+    doublePrecision |= this->OutputPointsPrecision == DEFAULT_PRECISION &&
+      input->GetPoints()->GetDataType() == VTK_DOUBLE;
+    pieces[port] = orthoslices::ReadPieces(input, port);
+  }
+
+  orthoslices::Options options;
+  options.PlaneTolerance = this->PlaneTolerance;
+  options.Orient = this->Orientation == ORIENT_AS_DRAWN ? orthoslices::Orientation::AsDrawn
+                                                        : orthoslices::Orientation::ByNesting;
+  options.RefuseProblems = this->InvalidContours == REFUSE;
+  options.Central = this->CentralPoint == CENTROID ? orthoslices::CentralPointMethod::Centroid
+                                                   : orthoslices::CentralPointMethod::LeastSquares;
+  orthoslices::Execution execution;
+  execution.For = [](std::size_t count, const orthoslices::Execution::Range& run)
+  {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+      [&run](vtkIdType begin, vtkIdType end) { run(begin, end); });
+  };
+  execution.Continue = [this](double progress)
+  {
+    this->UpdateProgress(progress);
+    return !this->GetAbortExecute();
+  };
+  const orthoslices::Reconstruction result =
+    orthoslices::Reconstruct(std::move(pieces), options, execution);
+
+  if (result.Stopped)
+  {
+    return 1;
+  }
+  if (options.RefuseProblems && !result.Problems.empty())
+  {
+    vtkErrorMacro("The input has " << result.Problems.size()
+                                   << " unusable contours:" << ListProblems(result.Problems));
+    return 0;
+  }
+  const std::string doubts = ListDoubts(result);
+  if (!doubts.empty())
+  {
+    vtkWarningMacro(<< doubts);
+  }
+  orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
+  orthoslices::WriteGraph(result, doublePrecision, vtkPolyData::GetData(outputs, 1));
+  this->UpdateProgress(0.9);
+  orthoslices::WriteSurface(
+    result, execution, doublePrecision, this->ComputeNormals, vtkPolyData::GetData(outputs, 0));
+  this->UpdateProgress(1.0);
+  return 1;
+}
+
+void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "PlaneTolerance: " << this->PlaneTolerance << "\n";
+  os << indent
+     << "Orientation: " << (this->Orientation == ORIENT_AS_DRAWN ? "AsDrawn" : "ByNesting") << "\n";
+  os << indent << "InvalidContours: " << (this->InvalidContours == REFUSE ? "Refuse" : "LeaveOut")
+     << "\n";
+  os << indent << "CentralPoint: " << (this->CentralPoint == CENTROID ? "Centroid" : "LeastSquares")
+     << "\n";
+  os << indent << "ComputeNormals: " << (this->ComputeNormals ? "On" : "Off") << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+}

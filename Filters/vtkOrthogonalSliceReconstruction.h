@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkOrthogonalSliceReconstruction
+ * @brief   closed surface from three mutually orthogonal sets of planar contours
+ *
+ * Reconstructs a closed, oriented triangle surface from contours that were drawn (or cut) on three
+ * families of parallel planes, each orthogonal to one coordinate axis, after R. Svitak and
+ * V. Skala, "Robust Surface Reconstruction from Orthogonal Slices" (2004, arXiv:2301.01713).
+ *
+ * Where contours of two orthogonal slices cross, they belong to the same surface. These *node
+ * points* and the contour parts (*arcs*) between them form a graph G on the edges and faces of the
+ * spatial grid M that the planes span. In each cell of M, G leaves closed *cycles*, the spatial
+ * polygons, and each of them is filled with a patch around a central point. No correspondence
+ * between slices is ever guessed.
+ *
+ * @section Inputs Inputs
+ * Ports 0, 1 and 2 (vtkPolyData, all three required): contours on planes of constant x, y and z.
+ * The planes may come in any order and spacing, with different numbers on each axis. Contours are
+ * accepted as lines and polygons: closed polylines (first point repeated or not), polygons, open
+ * pieces and loose two-point segments in any order and direction, and any mixture; vertices and
+ * strips are ignored. Points may be float or double and may be duplicated. Pieces are joined where
+ * their end points coincide; a single polyline of three or more points whose ends meet no other
+ * piece is closed if the gap is at most twice its longest segment, and is open otherwise.
+ *
+ * With ORIENT_BY_NESTING (the default) directions are ignored: the outermost contours of a slice
+ * enclose the interior, the contours directly inside them enclose holes, and so on. With
+ * ORIENT_AS_DRAWN they are trusted: seen from the positive end of the axis, the interior lies on
+ * the left of the contour (outer boundaries run counter-clockwise).
+ *
+ * @section Outputs Outputs
+ * Port 0, the surface (vtkPolyData): triangles, oriented outwards. Every vertex of every contour
+ * that meets another family is a vertex of the surface. Points: first the node points, then the
+ * vertices of the arcs, last the central points.
+ *  - point data "Normals" (float, 3 components; active normals), if ComputeNormals is on;
+ *  - cell data "ComponentId" (int): connected component, numbered from 0;
+ *  - cell data "GridCell" (int, 3 components): the cell of M along x, y, z, where cell i lies below
+ *    plane i and above plane i - 1;
+ *  - cell data "PolygonSize" (int): number of node points of the spatial polygon;
+ *  - field data "NumberOfComponents", "NumberOfContours", "NumberOfIsolatedContours",
+ *    "NumberOfCellsWithSeveralCycles", "NumberOfNodePoints", "NumberOfReconciledEdges",
+ *    "NumberOfReconciledVertices" (vtkIdType, one value each).
+ *
+ * Port 1, the graph G (vtkPolyData): one vertex cell for each node point, then one polyline for
+ * each arc, then one closed polyline for each isolated contour (a contour without node points,
+ * which takes no part in the surface). Cell data:
+ *  - "Disagreement" (double): at a node point, the distance of the two contours along the grid
+ *    edge in world units; 0 for lines;
+ *  - "SliceAxis" (int): 0, 1, 2 for arcs on x-, y-, z-slices, -1 at node points;
+ *  - "SlicePlane" (int): index of the plane on that axis in ascending order, -1 at node points;
+ *  - "Length" (double): length of the arc in world units, 0 at node points;
+ *  - "ComponentId" (int): as on port 0; -1 for isolated contours.
+ *
+ * Port 2, the histogram of polygon sizes (vtkTable; the paper's Figure 8): columns "PolygonSize"
+ * and "Count" (vtkIdType), one row for every size from the smallest to the largest that occurs.
+ *
+ * @section Guarantees Guarantees
+ * G1 to G5 in Core/Reconstruct.h: closed, 2-manifold, consistently oriented outwards, contour
+ * vertices kept, the same bytes for any number of threads and on every execution.
+ *
+ * @section Errors Errors
+ * A port without contours, an open contour, a contour that leaves its plane by more than the
+ * tolerance, contours that cross themselves or each other within one slice and coordinates that are
+ * not finite are reported with port, cell and coordinate. They are errors with empty outputs
+ * (InvalidContours = REFUSE) or left out with one warning (LEAVE_OUT).
+ * Where the three families contradict each other, one warning says so and the "Disagreement"
+ * array shows where.
+ *
+ * @sa vtkOrthogonalSlicer vtkRuledSurfaceFilter vtkCutter
+ */
+
+#ifndef vtkOrthogonalSliceReconstruction_h
+#define vtkOrthogonalSliceReconstruction_h
+
+#include "vtkFiltersOrthogonalSlicesModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class vtkTable;
+
+class VTKFILTERSORTHOGONALSLICES_EXPORT vtkOrthogonalSliceReconstruction
+  : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkOrthogonalSliceReconstruction* New();
+  vtkTypeMacro(vtkOrthogonalSliceReconstruction, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum OrientationMode
+  {
+    ORIENT_BY_NESTING = 0,
+    ORIENT_AS_DRAWN = 1
+  };
+
+  enum InvalidContoursMode
+  {
+    REFUSE = 0,
+    LEAVE_OUT = 1
+  };
+
+  enum CentralPointMode
+  {
+    LEAST_SQUARES = 0,
+    CENTROID = 1
+  };
+
+  ///@{
+  /**
+   * Largest distance of a contour's vertices from its plane, of two planes that are taken for
+   * one, and of two end points that are joined, as a fraction of the diagonal of the bounding box
+   * of all inputs. Default 1e-5, range 0 to 0.1.
+   */
+  vtkSetClampMacro(PlaneTolerance, double, 0.0, 0.1);
+  vtkGetMacro(PlaneTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * How the interior of a contour is found: by nesting (default) or from its direction as drawn.
+   */
+  vtkSetClampMacro(Orientation, int, ORIENT_BY_NESTING, ORIENT_AS_DRAWN);
+  vtkGetMacro(Orientation, int);
+  void SetOrientationToNesting() { this->SetOrientation(ORIENT_BY_NESTING); }
+  void SetOrientationToAsDrawn() { this->SetOrientation(ORIENT_AS_DRAWN); }
+  ///@}
+
+  ///@{
+  /**
+   * What happens to contours that are open, off their plane, self-crossing or not finite: the
+   * input is refused with an error (default), or they are left out with a warning.
+   */
+  vtkSetClampMacro(InvalidContours, int, REFUSE, LEAVE_OUT);
+  vtkGetMacro(InvalidContours, int);
+  void SetInvalidContoursToRefuse() { this->SetInvalidContours(REFUSE); }
+  void SetInvalidContoursToLeaveOut() { this->SetInvalidContours(LEAVE_OUT); }
+  ///@}
+
+  ///@{
+  /**
+   * Central point of a spatial polygon: from a least-squares quadratic through the arcs and the
+   * surface normals at the node points (default), or the centroid of the arcs.
+   */
+  vtkSetClampMacro(CentralPoint, int, LEAST_SQUARES, CENTROID);
+  vtkGetMacro(CentralPoint, int);
+  void SetCentralPointToLeastSquares() { this->SetCentralPoint(LEAST_SQUARES); }
+  void SetCentralPointToCentroid() { this->SetCentralPoint(CENTROID); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether the surface gets point normals. Default on.
+   */
+  vtkSetMacro(ComputeNormals, bool);
+  vtkGetMacro(ComputeNormals, bool);
+  vtkBooleanMacro(ComputeNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Precision of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or
+   * DEFAULT_PRECISION (default): double if any input has double points.
+   */
+  vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
+  vtkGetMacro(OutputPointsPrecision, int);
+  ///@}
+
+  ///@{
+  /**
+   * The graph G (port 1) and the histogram of polygon sizes (port 2).
+   */
+  vtkPolyData* GetGraphOutput();
+  vtkTable* GetHistogramOutput();
+  ///@}
+
+protected:
+  vtkOrthogonalSliceReconstruction();
+  ~vtkOrthogonalSliceReconstruction() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkOrthogonalSliceReconstruction(const vtkOrthogonalSliceReconstruction&) = delete;
+  void operator=(const vtkOrthogonalSliceReconstruction&) = delete;
+
+  double PlaneTolerance = 1e-5;
+  int Orientation = ORIENT_BY_NESTING;
+  int InvalidContours = REFUSE;
+  int CentralPoint = LEAST_SQUARES;
+  bool ComputeNormals = true;
+  int OutputPointsPrecision = DEFAULT_PRECISION;
+};
+
+#endif
