@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesOrientContours_h
+#define OrthoSlicesOrientContours_h
+
+#include "Types.h"
+
+namespace orthoslices
+{
+/// How the interior of a contour is found.
+enum class Orientation
+{
+  ByNesting, ///< a contour inside an even number of others of its slice is an outer boundary
+  AsDrawn    ///< the interior is on the left as the vertices run
+};
+
+/**
+ * Checks and orients the contours of every slice (section 3 of the paper: interior on the left).
+ *
+ * Contours that cross themselves, or another one of their slice (of two that cross, the one with
+ * the smaller area), are removed and reported. Only crossings that are certain in spite of rounding
+ * count; contours may touch. With ByNesting, contours are reversed where needed.
+ */
+void OrientContours(Orientation orientation, const Execution& execution, Contours& contours,
+  std::vector<Problem>& problems);
+
+/// Twice the signed area of a contour: positive when it runs counter-clockwise seen from its axis.
+double TwiceSignedArea(const Contours& contours, Index contour);
+}
+
+#endif
