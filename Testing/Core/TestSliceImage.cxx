@@ -109,14 +109,14 @@ TEST(SliceImage, ThresholdIsInterpolated)
 
 TEST(SliceImage, SamplesAtTheThresholdAreInsideAndContoursDoNotTouchThere)
 {
-  const PlaneContours contours = Draw(Drawing({ "30303", "02220", "30303" }), 2.0);
+  const PlaneContours contours = Draw(Drawing({ "00000", "33233", "00000" }), 2.0);
+  EXPECT_EQ(contours.Count(), 1);
   std::map<std::pair<double, double>, int> places;
   for (std::size_t i = 0; i < contours.U.size(); ++i)
   {
     EXPECT_EQ((++places[{ contours.U[i], contours.V[i] }]), 1);
   }
-  EXPECT_EQ(contours.Count(), 5); // the middle of the row joins 3 above and below
-  EXPECT_GT(Areas(contours).front(), 0.0);
+  EXPECT_EQ(places.count({ 2.0, 1.0 }), 0u);
 }
 
 TEST(SliceImage, SamplesThatAreNoNumberAreOutside)

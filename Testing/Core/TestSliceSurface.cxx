@@ -357,6 +357,16 @@ TEST(SliceSurface, ContoursDoNotTouchAtARidgeInThePlane)
   }
 }
 
+TEST(SliceSurface, NearlyHorizontalEdgesAreCutWhereThePlaneIs)
+{
+  // The top rises by 1e-12 from x = 0 to x = 2, less than contours keep away from vertices.
+  const TriangleSurface wedge =
+    Prism({ { 0, 0 }, { 2, 0 }, { 2, 1 + 1e-12 }, { 0, 1 } }, { { 0, 1, 2 }, { 0, 2, 3 } });
+  const PlaneContours slice = Slice(wedge, 2, { 1 + 0.25e-12 })[0];
+  ASSERT_EQ(slice.Count(), 1);
+  EXPECT_NEAR(*std::min_element(slice.U.begin(), slice.U.end()), 0.5, 1e-3);
+}
+
 TEST(SliceSurface, TorusHasTheKnownNumberOfContours)
 {
   const TriangleSurface torus = Torus(2.0, 0.5, 80, 40, 0.0);
