@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   independent checker of the guarantees on a plain list of triangles
+ *
+ * Slow and obvious on purpose; shares no code with the reconstruction. Everything but volumes and
+ * winding numbers is counted from the point ids alone: two points at the same place are two points.
+ */
+
+#ifndef OrthoSlicesCheckSurface_h
+#define OrthoSlicesCheckSurface_h
+
+#include "Core/Reconstruct.h"
+
+#include <iosfwd>
+
+class vtkPolyData;
+
+namespace orthoslices
+{
+namespace support
+{
+
+struct TriangleMesh
+{
+  std::vector<Point3> Points;
+  std::vector<std::array<std::int64_t, 3>> Triangles;
+};
+
+TriangleMesh MeshOf(const Reconstruction& result);
+TriangleMesh MeshOf(vtkPolyData* surface);
+
+struct SurfaceCheck
+{
+  std::int64_t OpenEdges = 0;           ///< edges of one triangle (G1)
+  std::int64_t CrowdedEdges = 0;        ///< edges of three or more triangles (G1)
+  std::int64_t DegenerateTriangles = 0; ///< two equal point ids, or a wrong one (G1)
+  std::int64_t NonManifoldVertices = 0; ///< vertices whose triangles are not one closed fan (G2)
+  std::int64_t InconsistentEdges = 0;   ///< edges that two triangles run through alike (G3)
+  std::int64_t UnusedPoints = 0;        ///< points of no triangle
+  std::int64_t Components = 0;
+  std::int64_t Euler = 0;              ///< of all components together
+  std::vector<std::int64_t> Genus;     ///< of each component; only if closed and manifold
+  std::vector<double> Volume;          ///< of each component; positive if oriented outwards
+  std::vector<std::int64_t> Component; ///< of each triangle
+
+  bool IsClosedManifold() const
+  {
+    return OpenEdges + CrowdedEdges + DegenerateTriangles + NonManifoldVertices +
+      InconsistentEdges ==
+      0;
+  }
+  std::int64_t TotalGenus() const;
+  double TotalVolume() const;
+};
+
+SurfaceCheck CheckSurface(const TriangleMesh& mesh);
+
+/// For messages of failed tests.
+std::ostream& operator<<(std::ostream& os, const SurfaceCheck& check);
+
+/// How often the surface winds around a point: 1 inside, 0 outside, for a point off the surface.
+double WindingNumber(const TriangleMesh& mesh, const Point3& point);
+
+/// Contour vertices that are no points of the mesh, within `tolerance` in each coordinate.
+std::vector<Point3> FindMissingVertices(
+  const Contours& contours, const TriangleMesh& mesh, double tolerance);
+
+/// Triangles that cross others, counted by CGAL; -1 if the tests were built without it.
+std::int64_t CountSelfIntersections(const TriangleMesh& mesh);
+
+} // namespace support
+} // namespace orthoslices
+
+#endif
