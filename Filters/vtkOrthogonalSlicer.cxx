@@ -224,7 +224,7 @@ int ParallelAxis(vtkMatrix3x3* direction, int indexAxis)
   return parallel;
 }
 
-/// False if the image's axes are oblique or without extent.
+/// False if the image's axes are oblique.
 bool ReadGrid(vtkImageData* image, SampleGrid& grid)
 {
   const int* extent = image->GetExtent();
@@ -304,6 +304,36 @@ std::vector<Index> NearestSamples(
   }
   nearest.erase(std::unique(nearest.begin(), nearest.end()), nearest.end());
   return nearest;
+}
+
+void RoundCoordinates(Precision precision, SampleGrid& grid)
+{
+  for (SampleAxis& axis : grid.Axes)
+  {
+    for (double& coordinate : axis.Coordinates)
+    {
+      coordinate = RoundTo(precision, coordinate) + 0.0;
+    }
+  }
+}
+
+/// Contours on the given sample planes of one axis.
+std::vector<PlaneContours> SlicePlanes(vtkDataArray* scalars, const SampleGrid& grid, int axis,
+  const std::vector<Index>& samples, const Region& region, Precision precision,
+  const Execution& execution)
+{
+  std::vector<PlaneContours> contours(samples.size());
+  execution.For(contours.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        contours[i] = SliceImage(ReadPlane(scalars, grid, axis, samples[i], region),
+          region.Threshold(), grid.Axes[FirstAxis(axis)].Coordinates,
+          grid.Axes[SecondAxis(axis)].Coordinates, precision);
+      }
+    });
+  return contours;
 }
 
 //----------------------------------------------------------------------------
@@ -569,7 +599,6 @@ bool vtkOrthogonalSlicer::SliceImage(
     this->OutputPointsPrecision == SINGLE_PRECISION ? Precision::Single : Precision::Double;
   const Region region{ this->UseLabel,
     this->UseLabel ? static_cast<double>(this->LabelValue) : this->IsoValue };
-  std::vector<double> rounded[3];
   std::vector<Index> samples[3];
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -580,29 +609,17 @@ bool vtkOrthogonalSlicer::SliceImage(
       return false;
     }
     samples[axis] = NearestSamples(all, planes, this->PlaneMode == BY_COORDINATES);
-    std::transform(all.Coordinates.begin(), all.Coordinates.end(),
-      std::back_inserter(rounded[axis]),
-      [precision](double x) { return RoundTo(precision, x) + 0.0; });
   }
+  RoundCoordinates(precision, grid);
   for (int axis = 0; axis < 3; ++axis)
   {
+    const auto contours = SlicePlanes(scalars, grid, axis, samples[axis], region, precision,
+      MakeExecution(this, axis / 3.0, (axis + 1) / 3.0));
     std::vector<double> planes;
     for (const Index sample : samples[axis])
     {
-      planes.push_back(rounded[axis][sample + 1]);
+      planes.push_back(grid.Axes[axis].Coordinate(sample));
     }
-    std::vector<PlaneContours> contours(planes.size());
-    MakeExecution(this, axis / 3.0, (axis + 1) / 3.0)
-      .For(planes.size(),
-        [&](std::size_t begin, std::size_t end)
-        {
-          for (std::size_t i = begin; i < end; ++i)
-          {
-            contours[i] =
-              orthoslices::SliceImage(ReadPlane(scalars, grid, axis, samples[axis][i], region),
-                region.Threshold(), rounded[FirstAxis(axis)], rounded[SecondAxis(axis)], precision);
-          }
-        });
     WriteContours(axis, precision, planes, contours, vtkPolyData::GetData(outputs, axis));
   }
   return true;
