@@ -17,6 +17,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,10 @@ void PieceReader::AddPoint(vtkIdType point)
   if (auto* floats = vtkFloatArray::FastDownCast(this->Points))
   {
     std::copy_n(floats->GetPointer(3 * point), 3, x);
+  }
+  else if (auto* doubles = vtkDoubleArray::FastDownCast(this->Points))
+  {
+    std::copy_n(doubles->GetPointer(3 * point), 3, x);
   }
   else
   {
@@ -161,22 +166,34 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
   cells->SetData(offsets, connectivity);
 }
 
-/// Component, cell of M and size of the polygon, for each triangle.
-void FillCellArrays(const Reconstruction& result, vtkCellData* data)
+/**
+ * Component, cell of M and size of the polygon, for each triangle. Everything but that is released
+ * before the arrays are made.
+ */
+void FillCellArrays(Reconstruction& result, vtkCellData* data)
 {
-  const vtkIdType count = result.Triangles.Count();
-  int* component = AddArray<vtkIntArray>(data, "ComponentId", 1, count)->GetPointer(0);
-  int* cell = AddArray<vtkIntArray>(data, "GridCell", 3, count)->GetPointer(0);
-  int* size = AddArray<vtkIntArray>(data, "PolygonSize", 1, count)->GetPointer(0);
   const Cycles& polygons = result.Polygons;
+  std::vector<int> components(polygons.Count());
   for (Index i = 0; i < polygons.Count(); ++i)
   {
     const HalfArc& half = polygons.Arcs[polygons.Offsets[i]];
-    const Index node = StartNode(result.Lattice, result.Nodes, half);
+    components[i] = result.Graph.Component[StartNode(result.Lattice, result.Nodes, half)];
+  }
+  result.Lattice = Crossings();
+  result.Nodes = NodePoints();
+  result.Graph = NodeGraph();
+  result.Polygons.Arcs = {};
+  const vtkIdType count = result.Triangles.Count();
+  int* component = AddArray<vtkIntArray>(data, "ComponentId", 1, count)->GetPointer(0);
+  auto* cell = AddArray<vtkUnsignedShortArray>(data, "GridCell", 3, count)->GetPointer(0);
+  auto* size = AddArray<vtkUnsignedShortArray>(data, "PolygonSize", 1, count)->GetPointer(0);
+  for (Index i = 0; i < polygons.Count(); ++i)
+  {
     const std::int64_t begin = result.Triangles.Offsets[i];
     const std::int64_t end = result.Triangles.Offsets[i + 1];
-    std::fill(component + begin, component + end, result.Graph.Component[node]);
-    std::fill(size + begin, size + end, polygons.Size(i));
+    std::fill(component + begin, component + end, components[i]);
+    std::fill(size + begin, size + end,
+      static_cast<unsigned short>(std::min<Index>(polygons.Size(i), VTK_UNSIGNED_SHORT_MAX)));
     for (std::int64_t triangle = begin; triangle < end; ++triangle)
     {
       std::copy(polygons.Cell[i].begin(), polygons.Cell[i].end(), cell + 3 * triangle);
@@ -262,7 +279,7 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
     vtkIdType(result.ContourCount[0]) + result.ContourCount[1] + result.ContourCount[2]);
   add("NumberOfIsolatedContours", result.Isolated.Count());
   add("NumberOfNodePoints", result.Graph.Nodes);
-  add("NumberOfCellsWithSeveralCycles", CountCellsWithSeveralCycles(result.Polygons));
+  add("NumberOfCellsWithSeveralCycles", CountCellsWithSeveralCycles(result.Grid, result.Polygons));
   add("NumberOfReconciledVertices", result.Reconciled.Vertices);
   add("NumberOfReconciledEdges", result.Reconciled.Edges);
 }
@@ -423,14 +440,16 @@ Pieces ReadPieces(vtkPolyData* input, int axis)
   return pieces;
 }
 
-void WriteSurface(const Reconstruction& result, const Execution& execution, bool doublePrecision,
+void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool doublePrecision,
   bool normals, vtkPolyData* surface)
 {
+  Reconstruction result = std::move(consumed);
   const vtkIdType graphPoints = result.Graph.Count();
-  const vtkIdType count = graphPoints + result.Polygons.Count();
-  auto points = NewPoints(doublePrecision, count);
+  auto points = NewPoints(doublePrecision, graphPoints + result.Polygons.Count());
   CopyPoints(result.Graph.Points, 0, points);
   CopyPoints(result.CentralPoints, graphPoints, points);
+  result.Graph.Points = {};
+  result.CentralPoints = {};
   surface->SetPoints(points);
   vtkNew<vtkCellArray> cells;
   if (3 * result.Triangles.Count() < std::numeric_limits<std::int32_t>::max())
@@ -442,8 +461,9 @@ void WriteSurface(const Reconstruction& result, const Execution& execution, bool
     FillTriangles<vtkTypeInt64Array>(result, execution, cells);
   }
   surface->SetPolys(cells);
-  FillCellArrays(result, surface->GetCellData());
   AddFieldData(result, surface->GetFieldData());
+  FillCellArrays(result, surface->GetCellData());
+  result = Reconstruction();
   if (normals)
   {
     AddNormals(surface, execution);

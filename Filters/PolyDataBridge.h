@@ -20,8 +20,12 @@ namespace orthoslices
  */
 Pieces ReadPieces(vtkPolyData* input, int axis);
 
-/// Port 0: triangles, cell arrays, normals, field data; see vtkOrthogonalSliceReconstruction.
-void WriteSurface(const Reconstruction& result, const Execution& execution, bool doublePrecision,
+/**
+ * Port 0: triangles, cell arrays, normals, field data; see vtkOrthogonalSliceReconstruction.
+ * Consumes the result: each part is released as soon as it is written, because this is where memory
+ * peaks.
+ */
+void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool doublePrecision,
   bool normals, vtkPolyData* surface);
 
 /// Port 1: the graph G and the isolated contours.

@@ -157,7 +157,7 @@ int vtkOrthogonalSliceReconstruction::RequestData(
     this->UpdateProgress(progress);
     return !this->GetAbortExecute();
   };
-  const orthoslices::Reconstruction result =
+  orthoslices::Reconstruction result =
     orthoslices::Reconstruct(std::move(pieces), options, execution);
 
   if (result.Stopped)
@@ -170,6 +170,16 @@ int vtkOrthogonalSliceReconstruction::RequestData(
                                    << " unusable contours:" << ListProblems(result.Problems));
     return 0;
   }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (result.Grid.Count(axis) >= VTK_UNSIGNED_SHORT_MAX)
+    {
+      vtkErrorMacro("Port " << axis << " has contours on " << result.Grid.Count(axis)
+                            << " planes, more than " << VTK_UNSIGNED_SHORT_MAX - 1
+                            << "; is PlaneTolerance too small?");
+      return 0;
+    }
+  }
   const std::string doubts = ListDoubts(result);
   if (!doubts.empty())
   {
@@ -178,8 +188,8 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
   orthoslices::WriteGraph(result, doublePrecision, vtkPolyData::GetData(outputs, 1));
   this->UpdateProgress(0.9);
-  orthoslices::WriteSurface(
-    result, execution, doublePrecision, this->ComputeNormals, vtkPolyData::GetData(outputs, 0));
+  orthoslices::WriteSurface(std::move(result), execution, doublePrecision, this->ComputeNormals,
+    vtkPolyData::GetData(outputs, 0));
   this->UpdateProgress(1.0);
   return 1;
 }

@@ -34,9 +34,10 @@
  * vertices of the arcs, last the central points.
  *  - point data "Normals" (float, 3 components; active normals), if ComputeNormals is on;
  *  - cell data "ComponentId" (int): connected component, numbered from 0;
- *  - cell data "GridCell" (int, 3 components): the cell of M along x, y, z, where cell i lies below
- *    plane i and above plane i - 1;
- *  - cell data "PolygonSize" (int): number of node points of the spatial polygon;
+ *  - cell data "GridCell" (unsigned short, 3 components): the cell of M along x, y, z, where cell i
+ *    lies below plane i and above plane i - 1;
+ *  - cell data "PolygonSize" (unsigned short): number of node points of the spatial polygon (65535
+ *    stands for more);
  *  - field data "NumberOfComponents", "NumberOfContours", "NumberOfIsolatedContours",
  *    "NumberOfCellsWithSeveralCycles", "NumberOfNodePoints", "NumberOfReconciledEdges",
  *    "NumberOfReconciledVertices" (vtkIdType, one value each).

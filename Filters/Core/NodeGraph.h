@@ -22,7 +22,7 @@ struct NodeGraph
   Index Nodes = 0;
   Index Components = 0;
 
-  Index Count() const { return static_cast<Index>(this->Points.size() / 3); }
+  Index Count() const { return this->Nodes + this->Offsets.back(); }
   Index FirstPoint(Index arc) const { return this->Nodes + this->Offsets[arc]; }
   Index PointCount(Index arc) const { return this->Offsets[arc + 1] - this->Offsets[arc]; }
 };

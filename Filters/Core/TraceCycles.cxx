@@ -88,9 +88,16 @@ void GetBoundary(const NodeGraph& graph, const Crossings& crossings, const NodeP
   }
 }
 
-Index CountCellsWithSeveralCycles(const Cycles& cycles)
+Index CountCellsWithSeveralCycles(const SpatialGrid& grid, const Cycles& cycles)
 {
-  std::vector<std::array<Index, 3>> cells = cycles.Cell;
+  std::vector<std::uint64_t> cells(cycles.Count());
+  std::transform(cycles.Cell.begin(), cycles.Cell.end(), cells.begin(),
+    [&](const auto& cell)
+    {
+      return (static_cast<std::uint64_t>(cell[0]) * (grid.Count(1) + 1) + cell[1]) *
+        (grid.Count(2) + 1) +
+        cell[2];
+    });
   std::sort(cells.begin(), cells.end());
   Index several = 0;
   for (std::size_t i = 1; i < cells.size(); ++i)

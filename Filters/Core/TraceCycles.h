@@ -52,7 +52,7 @@ void GetBoundary(const NodeGraph& graph, const Crossings& crossings, const NodeP
   const Cycles& cycles, Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces);
 
 /// Number of cells of M that have two or more cycles.
-Index CountCellsWithSeveralCycles(const Cycles& cycles);
+Index CountCellsWithSeveralCycles(const SpatialGrid& grid, const Cycles& cycles);
 
 /// Entry i counts the cycles with i node points (the paper's Figure 8).
 std::vector<Index> CountPolygonSizes(const Cycles& cycles);
