@@ -10,13 +10,13 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from paraview import simple
 
-from PluginChecks import check, check_files, check_sphere, load_plugin
+from PluginChecks import check, check_heart, check_sphere, load_plugin
 
 
 def main(plugin, data, picture):
     load_plugin(plugin, remote=False)
     check_sphere()
-    check_files(data, "heart", "n16")
+    check_heart(data)
 
     if os.path.exists(picture):
         os.remove(picture)
