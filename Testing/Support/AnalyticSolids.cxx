@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,20 +35,11 @@ Point3 operator-(const Point3& a, const Point3& b)
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
-Point3 operator*(double s, const Point3& a)
-{
-  return { s * a[0], s * a[1], s * a[2] };
-}
+Point3 operator*(double s, const Point3& a) { return { s * a[0], s * a[1], s * a[2] }; }
 
-double Dot(const Point3& a, const Point3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+double Dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-double Norm(const Point3& a)
-{
-  return std::sqrt(Dot(a, a));
-}
+double Norm(const Point3& a) { return std::sqrt(Dot(a, a)); }
 
 Point3 NearestOnSegment(const Point3& p, const Point3& a, const Point3& b)
 {
@@ -191,8 +183,7 @@ Solid Cochlea()
     const double s = i / 96.0;
     const double angle = 2.0 * Pi * 2.25 * s;
     const double radius = 0.85 - 0.6 * s;
-    curve.push_back(
-      { radius * std::cos(angle), 0.9 * (s - 0.45), radius * std::sin(angle) });
+    curve.push_back({ radius * std::cos(angle), 0.9 * (s - 0.45), radius * std::sin(angle) });
   }
   Solid solid = MakeSolid("Cochlea", 1.15, 1, 0);
   solid.Tubes = { CurveTube(curve, false, 0.125) };
@@ -255,13 +246,13 @@ Solid RandomSolid(std::uint64_t seed)
 
 namespace
 {
-CountedTopology CountAtResolution(const Solid& solid, int cells)
+vtkSmartPointer<vtkImageData> SampleValues(const Solid& solid, int cells)
 {
-  vtkNew<vtkImageData> image;
+  auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(cells + 1, cells + 1, cells + 1);
   image->SetOrigin(solid.Low.data());
-  image->SetSpacing((solid.High[0] - solid.Low[0]) / cells,
-    (solid.High[1] - solid.Low[1]) / cells, (solid.High[2] - solid.Low[2]) / cells);
+  image->SetSpacing((solid.High[0] - solid.Low[0]) / cells, (solid.High[1] - solid.Low[1]) / cells,
+    (solid.High[2] - solid.Low[2]) / cells);
   vtkNew<vtkDoubleArray> values;
   values->SetNumberOfValues(image->GetNumberOfPoints());
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
@@ -271,25 +262,34 @@ CountedTopology CountAtResolution(const Solid& solid, int cells)
     values->SetValue(i, solid.Value(p));
   }
   image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+Topology CountAtValue(vtkImageData* image, double value)
+{
   vtkNew<vtkFlyingEdges3D> surface;
   surface->SetInputData(image);
-  surface->SetValue(0, 0.0);
+  surface->SetValue(0, value);
   surface->ComputeNormalsOff();
   surface->Update();
-  const Topology topology = MeasureTopology(surface->GetOutput());
-  return { topology.Components, topology.Genus.value_or(-1) };
+  return MeasureTopology(surface->GetOutput());
 }
 }
 
-std::optional<CountedTopology> CountTopology(const Solid& solid)
+std::optional<CountedTopology> CountTopology(const Solid& solid, double clearance)
 {
-  const CountedTopology coarse = CountAtResolution(solid, 41);
-  const CountedTopology fine = CountAtResolution(solid, 58);
-  if (coarse.Components != fine.Components || coarse.Genus != fine.Genus || fine.Genus < 0)
+  const double size = solid.High[0] - solid.Low[0];
+  const auto image = SampleValues(solid, static_cast<int>(size / (0.8 * clearance)));
+  const Topology exact = CountAtValue(image, 0.0);
+  for (const double value : { -clearance, clearance })
   {
-    return std::nullopt;
+    const Topology other = CountAtValue(image, value);
+    if (!exact.Genus || other.Components != exact.Components || other.Genus != exact.Genus)
+    {
+      return std::nullopt;
+    }
   }
-  return fine;
+  return CountedTopology{ exact.Components, *exact.Genus };
 }
 
 } // namespace support

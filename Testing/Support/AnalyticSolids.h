@@ -56,8 +56,8 @@ Solid InclinedThinTube(); ///< contours of consecutive z-slices do not overlap
 Solid BranchingTube();    ///< one tube that becomes two
 Solid KnottedTube();      ///< trefoil
 Solid LinkedTori();
-Solid Cochlea();        ///< spiral that turns back within the slices
-Solid HollowBall();     ///< outer surface and the surface of a cavity: two components
+Solid Cochlea();         ///< spiral that turns back within the slices
+Solid HollowBall();      ///< outer surface and the surface of a cavity: two components
 Solid TwoDistantBalls(); ///< with empty planes between them
 
 std::vector<Solid> AllAnalyticSolids();
@@ -65,12 +65,18 @@ std::vector<Solid> AllAnalyticSolids();
 /// Union of 1 to 6 balls, capsules and tori at random places; topology not known.
 Solid RandomSolid(std::uint64_t seed);
 
-/// Components and total genus from a fine iso-surface, where two resolutions agree on them.
+/// Components and total genus.
 struct CountedTopology
 {
   std::int64_t Components, Genus;
 };
-std::optional<CountedTopology> CountTopology(const Solid& solid);
+
+/**
+ * Counted on a fine iso-surface. Nothing if the solid has another topology once it is larger or
+ * smaller by `clearance` all around: then it has thin parts or narrow gaps, and nobody can tell
+ * what is right for coarse slices.
+ */
+std::optional<CountedTopology> CountTopology(const Solid& solid, double clearance);
 
 } // namespace support
 } // namespace orthoslices

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/CheckSurface.h"
 
+#include "Core/AssembleContours.h"
+#include "Support/Random.h"
+
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -76,8 +79,8 @@ private:
 
 bool IsDegenerate(const std::array<std::int64_t, 3>& t, std::int64_t points)
 {
-  const bool range = *std::min_element(t.begin(), t.end()) >= 0 &&
-    *std::max_element(t.begin(), t.end()) < points;
+  const bool range =
+    *std::min_element(t.begin(), t.end()) >= 0 && *std::max_element(t.begin(), t.end()) < points;
   return !range || t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
@@ -117,8 +120,7 @@ void CheckVertices(const TriangleMesh& mesh, const std::vector<Side>& sides, Sur
     {
       for (const std::int64_t end : { sides[i].Low, sides[i].High })
       {
-        corners.Unite(
-          cornerAt(sides[i].Triangle, end), cornerAt(sides[i - 1].Triangle, end));
+        corners.Unite(cornerAt(sides[i].Triangle, end), cornerAt(sides[i - 1].Triangle, end));
       }
     }
   }
@@ -150,20 +152,11 @@ double Determinant(const Point3& a, const Point3& b, const Point3& c)
     a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-Point3 Minus(const Point3& a, const Point3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
+Point3 Minus(const Point3& a, const Point3& b) { return { a[0] - b[0], a[1] - b[1], a[2] - b[2] }; }
 
-double Norm(const Point3& a)
-{
-  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
+double Norm(const Point3& a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 
-double Dot(const Point3& a, const Point3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+double Dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Genus and volume of each component of a closed manifold.
 void MeasureComponents(
@@ -178,9 +171,9 @@ void MeasureComponents(
     ++euler[component];
     const auto& ids = mesh.Triangles[t];
     const Point3& origin = mesh.Points[mesh.Triangles[0][0]];
-    check.Volume[component] += Determinant(Minus(mesh.Points[ids[0]], origin),
-                                 Minus(mesh.Points[ids[1]], origin),
-                                 Minus(mesh.Points[ids[2]], origin)) /
+    check.Volume[component] +=
+      Determinant(Minus(mesh.Points[ids[0]], origin), Minus(mesh.Points[ids[1]], origin),
+        Minus(mesh.Points[ids[2]], origin)) /
       6.0;
     for (const std::int64_t id : ids)
     {
@@ -225,8 +218,8 @@ SurfaceCheck CheckSurface(const TriangleMesh& mesh)
   const std::int64_t edges = CheckEdges(sides, check, joined);
   CheckVertices(mesh, sides, check);
   NumberComponents(mesh, joined, check);
-  check.Euler = points - check.UnusedPoints - edges +
-    static_cast<std::int64_t>(mesh.Triangles.size());
+  check.Euler =
+    points - check.UnusedPoints - edges + static_cast<std::int64_t>(mesh.Triangles.size());
   if (check.IsClosedManifold())
   {
     MeasureComponents(mesh, sides, check);
@@ -238,10 +231,10 @@ std::ostream& operator<<(std::ostream& os, const SurfaceCheck& check)
 {
   return os << check.OpenEdges << " open, " << check.CrowdedEdges << " crowded, "
             << check.InconsistentEdges << " inconsistent edges, " << check.NonManifoldVertices
-            << " non-manifold vertices, " << check.DegenerateTriangles
-            << " degenerate triangles, " << check.UnusedPoints << " unused points, "
-            << check.Components << " components, total genus " << check.TotalGenus()
-            << ", volume " << check.TotalVolume();
+            << " non-manifold vertices, " << check.DegenerateTriangles << " degenerate triangles, "
+            << check.UnusedPoints << " unused points, " << check.Components
+            << " components, total genus " << check.TotalGenus() << ", volume "
+            << check.TotalVolume();
 }
 
 double WindingNumber(const TriangleMesh& mesh, const Point3& point)
@@ -256,8 +249,8 @@ double WindingNumber(const TriangleMesh& mesh, const Point3& point)
     const double la = Norm(a), lb = Norm(b), lc = Norm(c);
     // Van Oosterom and Strackee's formula for the solid angle of a triangle.
     angle += 2.0 *
-      std::atan2(Determinant(a, b, c),
-        la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb);
+      std::atan2(
+        Determinant(a, b, c), la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb);
   }
   return angle / (4.0 * pi);
 }
@@ -273,8 +266,8 @@ std::vector<Point3> FindMissingVertices(
     for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
     {
       const Point3 p = contours.World(contour, i);
-      auto at = std::lower_bound(sorted.begin(), sorted.end(),
-        Point3{ p[0] - tolerance, -HUGE_VAL, -HUGE_VAL });
+      auto at = std::lower_bound(
+        sorted.begin(), sorted.end(), Point3{ p[0] - tolerance, -HUGE_VAL, -HUGE_VAL });
       bool found = false;
       for (; !found && at != sorted.end() && (*at)[0] <= p[0] + tolerance; ++at)
       {
@@ -287,6 +280,112 @@ std::vector<Point3> FindMissingVertices(
     }
   }
   return missing;
+}
+
+Contours UsableContours(const PieceSets& pieces, const Options& options, SpatialGrid& grid)
+{
+  Point3 low{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
+  Point3 high{ -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+  const auto extend = [&](int axis, const std::vector<double>& values)
+  {
+    for (const double x : values)
+    {
+      low[axis] = std::min(low[axis], x);
+      high[axis] = std::max(high[axis], x);
+    }
+  };
+  for (const Pieces& set : pieces)
+  {
+    extend(FirstAxis(set.Axis), set.U);
+    extend(SecondAxis(set.Axis), set.V);
+    extend(set.Axis, set.W);
+  }
+  const double tolerance = options.PlaneTolerance * Norm(Minus(high, low));
+  Contours contours;
+  std::vector<Problem> problems;
+  for (Pieces set : pieces)
+  {
+    AssembleContours(std::move(set), tolerance, contours, problems);
+  }
+  grid = BuildSpatialGrid(contours, tolerance);
+  OrientContours(options.Orient, Execution(), contours, problems);
+  grid = BuildSpatialGrid(contours, tolerance);
+  return contours;
+}
+
+namespace
+{
+/// How often the contours of one slice wind around a point of it.
+int WindingInSlice(const Contours& contours, int axis, Index plane, double u, double v)
+{
+  int winding = 0;
+  for (Index c = 0; c < contours.Count(); ++c)
+  {
+    if (contours.Axis[c] != axis || contours.Plane[c] != plane)
+    {
+      continue;
+    }
+    const Index begin = contours.Offsets[c], end = contours.Offsets[c + 1];
+    for (Index i = begin; i < end; ++i)
+    {
+      const Index j = i + 1 < end ? i + 1 : begin;
+      const double v0 = contours.V[i], v1 = contours.V[j];
+      if ((v0 > v) != (v1 > v))
+      {
+        const double u0 = contours.U[i], u1 = contours.U[j];
+        const bool right = u0 + (v - v0) / (v1 - v0) * (u1 - u0) > u;
+        winding += right ? (v1 > v0 ? 1 : -1) : 0;
+      }
+    }
+  }
+  return winding;
+}
+
+/// The label that two of the three slices have, or 0 or 1 if it is below or above.
+int VoteOfSlices(const Contours& contours, const SpatialGrid& grid, const std::array<Index, 3>& at)
+{
+  std::array<int, 3> votes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int u = FirstAxis(axis), v = SecondAxis(axis);
+    votes[axis] =
+      WindingInSlice(contours, axis, at[axis], grid.Planes[u][at[u]], grid.Planes[v][at[v]]);
+  }
+  std::sort(votes.begin(), votes.end());
+  return std::clamp(votes[1], 0, 1);
+}
+}
+
+SideCheck CheckGridVertices(const TriangleMesh& mesh, const Contours& contours,
+  const SpatialGrid& grid, std::size_t most, std::uint64_t seed)
+{
+  SideCheck check;
+  Random random(seed);
+  const std::size_t all = grid.Planes[0].size() * grid.Planes[1].size() * grid.Planes[2].size();
+  for (std::size_t i = 0; i < std::min(all, most); ++i)
+  {
+    std::size_t number = all <= most ? i : random.Below(all);
+    std::array<Index, 3> at;
+    Point3 point;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      at[axis] = static_cast<Index>(number % grid.Planes[axis].size());
+      number /= grid.Planes[axis].size();
+      point[axis] = grid.Planes[axis][at[axis]];
+    }
+    const double winding = WindingNumber(mesh, point);
+    if (!(std::abs(winding - std::round(winding)) < 1e-6))
+    {
+      ++check.Skipped;
+      continue;
+    }
+    ++check.Compared;
+    if (std::lround(winding) != VoteOfSlices(contours, grid, at))
+    {
+      check.Wrong.push_back(point);
+    }
+  }
+  return check;
 }
 
 TriangleMesh MeshOf(const Reconstruction& result)

@@ -12,6 +12,7 @@
 #define OrthoSlicesCheckSurface_h
 
 #include "Core/Reconstruct.h"
+#include "Support/TextContours.h"
 
 #include <iosfwd>
 
@@ -66,6 +67,28 @@ double WindingNumber(const TriangleMesh& mesh, const Point3& point);
 /// Contour vertices that are no points of the mesh, within `tolerance` in each coordinate.
 std::vector<Point3> FindMissingVertices(
   const Contours& contours, const TriangleMesh& mesh, double tolerance);
+
+/**
+ * The contours that take part in the reconstruction, oriented and with their planes numbered:
+ * the first three stages alone.
+ */
+Contours UsableContours(const PieceSets& pieces, const Options& options, SpatialGrid& grid);
+
+/// What the surface says about vertices of the grid, against what the contours say.
+struct SideCheck
+{
+  std::int64_t Compared = 0; ///< vertices that do not lie on the surface
+  std::int64_t Skipped = 0;
+  std::vector<Point3> Wrong;
+};
+
+/**
+ * At up to `most` random vertices of the grid: the surface has to enclose those, and only those,
+ * that lie inside for at least two of the three slices through them. A slice says so by the
+ * winding number of its contours.
+ */
+SideCheck CheckGridVertices(const TriangleMesh& mesh, const Contours& contours,
+  const SpatialGrid& grid, std::size_t most, std::uint64_t seed);
 
 /// Triangles that cross others, counted by CGAL; -1 if the tests were built without it.
 std::int64_t CountSelfIntersections(const TriangleMesh& mesh);

@@ -176,8 +176,7 @@ void ThinOut(Pieces& pieces, Index every)
   for (Piece& piece : list)
   {
     const std::size_t size = piece.Vertices.size();
-    const std::size_t step =
-      std::max<std::size_t>(1, std::min<std::size_t>(every, size / 3));
+    const std::size_t step = std::max<std::size_t>(1, std::min<std::size_t>(every, size / 3));
     std::vector<Point3> kept;
     for (std::size_t i = 0; i < size; i += step)
     {

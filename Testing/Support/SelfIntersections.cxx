@@ -39,10 +39,7 @@ std::int64_t CountSelfIntersections(const TriangleMesh& mesh)
 
 #else
 
-std::int64_t CountSelfIntersections(const TriangleMesh&)
-{
-  return -1;
-}
+std::int64_t CountSelfIntersections(const TriangleMesh&) { return -1; }
 
 #endif
 

@@ -106,11 +106,10 @@ void PlaneTracer::LinkCell(std::size_t i, std::size_t j)
     this->IsInside(i + 1, j + 1), this->IsInside(i, j + 1) };
   const Edge base = 2 * (j * this->Columns + i);
   const Edge edges[4] = { base, base + 3, base + 2 * this->Columns, base + 1 };
-  const bool saddle =
-    corner[0] == corner[2] && corner[1] == corner[3] && corner[0] != corner[1];
+  const bool saddle = corner[0] == corner[2] && corner[1] == corner[3] && corner[0] != corner[1];
   const bool centerInside = saddle &&
-    this->Shape.Value(this->At(
-      0.5 * (this->U[i] + this->U[i + 1]), 0.5 * (this->V[j] + this->V[j + 1]))) < 0.0;
+    this->Shape.Value(
+      this->At(0.5 * (this->U[i] + this->U[i + 1]), 0.5 * (this->V[j] + this->V[j + 1]))) < 0.0;
   for (int k = 0; k < 4; ++k)
   {
     if (!corner[k] || corner[(k + 1) % 4])

@@ -1,0 +1,423 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   the guarantees G1 to G5 of Core/Reconstruct.h, one by one
+ *
+ * Each is checked over all shapes in Data, all analytic solids and random solids, as they are and
+ * made contradictory. ORTHOGONAL_SLICES_RUNS and ORTHOGONAL_SLICES_SEED set the number of random
+ * inputs of each kind and the first of them.
+ */
+
+#include "Support/CheckSurface.h"
+#include "Support/DataSets.h"
+#include "Support/Perturbations.h"
+#include "Support/Random.h"
+#include "Support/RandomInput.h"
+#include "Support/SliceSolid.h"
+
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <thread>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+constexpr std::uint64_t UsualRuns = 150;
+
+/// Runs the core and hands over what a guarantee is about.
+struct Result
+{
+  explicit Result(const Input& input)
+    : Core(Reconstruct(PieceSets(input.Sets), input.Settings, Execution()))
+    , Mesh(MeshOf(Core))
+  {
+  }
+
+  Reconstruction Core;
+  TriangleMesh Mesh;
+};
+
+template <typename Visit>
+void VisitData(Visit&& visit)
+{
+  for (const DataSet& data : AllDataSets())
+  {
+    for (const int count : { 16, 32 })
+    {
+      Input input;
+      input.Name = data.Name + " n" + std::to_string(count);
+      input.Sets = ReadPieceSets(data, count);
+      SCOPED_TRACE(input.Name);
+      visit(input);
+    }
+  }
+}
+
+template <typename Visit>
+void VisitSolids(Visit&& visit)
+{
+  for (const Solid& solid : AllAnalyticSolids())
+  {
+    for (const InPlaneGrid grid : { InPlaneGrid::Aligned, InPlaneGrid::Free })
+    {
+      Input input;
+      input.Exact = grid == InPlaneGrid::Aligned;
+      input.Name = solid.Name + (input.Exact ? ", aligned" : ", free");
+      input.Sets = SliceSolid(solid, EqualPlanes(solid, { 12, 11, 10 }), 3, grid);
+      SCOPED_TRACE(input.Name);
+      visit(input);
+    }
+  }
+}
+
+template <typename Visit>
+void VisitRandom(Input (*make)(std::uint64_t), Visit&& visit)
+{
+  const std::uint64_t first = FirstSeed();
+  const std::uint64_t runs = RandomRuns(UsualRuns);
+  std::cout << "Random inputs " << first << " to " << first + runs - 1 << "\n";
+  for (std::uint64_t seed = first; seed < first + runs; ++seed)
+  {
+    const Input input = make(seed);
+    SCOPED_TRACE(input.Name);
+    visit(input);
+  }
+}
+
+template <typename Visit>
+void VisitConsistent(Visit&& visit)
+{
+  VisitSolids(visit);
+  VisitRandom(RandomConsistentInput, visit);
+}
+
+/// Everything, contradictory or not.
+template <typename Visit>
+void VisitAll(Visit&& visit)
+{
+  VisitData(visit);
+  VisitConsistent(visit);
+  VisitRandom(RandomContradictoryInput, visit);
+}
+}
+
+//----------------------------------------------------------------------------
+TEST(Guarantees, G1EveryEdgeHasTwoTriangles)
+{
+  std::int64_t triangles = 0;
+  VisitAll(
+    [&](const Input& input)
+    {
+      const Result result(input);
+      const SurfaceCheck check = CheckSurface(result.Mesh);
+      EXPECT_EQ(check.DegenerateTriangles, 0) << check;
+      EXPECT_EQ(check.OpenEdges, 0) << check;
+      EXPECT_EQ(check.CrowdedEdges, 0) << check;
+      EXPECT_TRUE(
+        !input.Exact || !result.Mesh.Triangles.empty() || result.Core.Isolated.Count() > 0);
+      triangles += static_cast<std::int64_t>(result.Mesh.Triangles.size());
+    });
+  EXPECT_GT(triangles, 0);
+}
+
+//----------------------------------------------------------------------------
+TEST(Guarantees, G2TrianglesAroundEveryVertexFormOneDisc)
+{
+  VisitAll(
+    [](const Input& input)
+    {
+      const SurfaceCheck check = CheckSurface(Result(input).Mesh);
+      EXPECT_EQ(check.NonManifoldVertices, 0) << check;
+      EXPECT_EQ(check.UnusedPoints, 0) << check;
+    });
+}
+
+//----------------------------------------------------------------------------
+TEST(Guarantees, G3OrientedAndOutsideWhereTheContoursHaveIt)
+{
+  std::int64_t compared = 0, skipped = 0;
+  VisitAll(
+    [&](const Input& input)
+    {
+      const Result result(input);
+      EXPECT_EQ(CheckSurface(result.Mesh).InconsistentEdges, 0);
+      SpatialGrid grid;
+      const Contours contours = UsableContours(input.Sets, input.Settings, grid);
+      const SideCheck sides = CheckGridVertices(result.Mesh, contours, grid, 40, 1);
+      EXPECT_TRUE(sides.Wrong.empty())
+        << sides.Wrong.size() << " of " << sides.Compared << " grid vertices, the first at ("
+        << sides.Wrong[0][0] << ", " << sides.Wrong[0][1] << ", " << sides.Wrong[0][2] << ")";
+      compared += sides.Compared;
+      skipped += sides.Skipped;
+    });
+  EXPECT_GT(compared, 10 * skipped);
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// The points of the surface and of the contours that are listed as isolated.
+TriangleMesh AllPoints(const Result& result)
+{
+  TriangleMesh mesh = result.Mesh;
+  const std::vector<double>& isolated = result.Core.Isolated.Points;
+  for (std::size_t i = 0; i < isolated.size(); i += 3)
+  {
+    mesh.Points.push_back({ isolated[i], isolated[i + 1], isolated[i + 2] });
+  }
+  return mesh;
+}
+
+std::size_t CountSnipped(const Reconstruction& result)
+{
+  std::size_t count = 0;
+  for (Index c = 0; c < result.Lattice.Count(); ++c)
+  {
+    count += result.Lattice.IsRemoved(c) ? 1 : 0;
+  }
+  return count;
+}
+
+/// The greatest distance of the two contours at a node point.
+double GreatestDisagreement(const Reconstruction& result)
+{
+  double greatest = 0.0;
+  for (Index node = 0; node < result.Nodes.Count(); ++node)
+  {
+    greatest = std::max(greatest, NodeDisagreement(result.Lattice, result.Nodes, node));
+  }
+  return greatest;
+}
+
+bool IsOnGridLine(const SpatialGrid& grid, const Point3& p)
+{
+  int planes = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    planes += std::binary_search(grid.Planes[axis].begin(), grid.Planes[axis].end(), p[axis]);
+  }
+  return planes >= 2;
+}
+}
+
+TEST(Guarantees, G4ContourVerticesAreKept)
+{
+  std::int64_t vertices = 0;
+  VisitAll(
+    [&](const Input& input)
+    {
+      const Result result(input);
+      SpatialGrid grid;
+      const Contours contours = UsableContours(input.Sets, input.Settings, grid);
+      vertices += static_cast<std::int64_t>(contours.U.size());
+      const TriangleMesh points = AllPoints(result);
+      const double half = 0.5 * GreatestDisagreement(result.Core);
+      // Loops of one or two vertices go when the reconciliation snips a pair of crossings.
+      std::size_t missing = 0;
+      for (const Point3& p : FindMissingVertices(contours, points, 0.0))
+      {
+        const bool mayMove = IsOnGridLine(grid, p);
+        Contours single;
+        single.U = { p[1] };
+        single.V = { p[2] };
+        single.Offsets = { 0, 1 };
+        single.Axis = { 0 };
+        single.Coordinate = { p[0] };
+        missing += mayMove && FindMissingVertices(single, points, half + 1e-12).empty() ? 0 : 1;
+      }
+      EXPECT_LE(missing, 2 * CountSnipped(result.Core));
+      EXPECT_TRUE(!input.Exact || missing == 0) << missing;
+    });
+  EXPECT_GT(vertices, 100000);
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// Four threads and many small ranges of random order.
+Execution ManyThreads()
+{
+  Execution execution;
+  execution.For = [](std::size_t count, const Execution::Range& run)
+  {
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < count; i += 1 + count / 13)
+    {
+      starts.push_back(i);
+    }
+    Random(count).Shuffle(starts);
+    const auto work = [&](std::size_t thread)
+    {
+      for (std::size_t i = thread; i < starts.size(); i += 4)
+      {
+        run(starts[i], std::min(count, starts[i] + 1 + count / 13));
+      }
+    };
+    std::vector<std::thread> threads;
+    for (std::size_t thread = 0; thread < 4; ++thread)
+    {
+      threads.emplace_back(work, thread);
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+  };
+  return execution;
+}
+
+void ExpectSame(const Reconstruction& a, const Reconstruction& b)
+{
+  EXPECT_EQ(a.Graph.Points, b.Graph.Points);
+  EXPECT_EQ(a.CentralPoints, b.CentralPoints);
+  EXPECT_EQ(a.Graph.Component, b.Graph.Component);
+  EXPECT_EQ(a.Isolated.Points, b.Isolated.Points);
+  EXPECT_EQ(a.Polygons.Cell, b.Polygons.Cell);
+  EXPECT_EQ(a.Problems.size(), b.Problems.size());
+  EXPECT_EQ(MeshOf(a).Triangles, MeshOf(b).Triangles);
+}
+}
+
+TEST(Guarantees, G5SameForAnyNumberOfThreads)
+{
+  const auto check = [](const Input& input)
+  {
+    ExpectSame(
+      Result(input).Core, Reconstruct(PieceSets(input.Sets), input.Settings, ManyThreads()));
+  };
+  VisitData(check);
+  VisitRandom(RandomContradictoryInput, check);
+}
+
+//----------------------------------------------------------------------------
+TEST(Guarantees, G5SlicesThatAgreeAreNotChanged)
+{
+  std::int64_t nodes = 0;
+  VisitConsistent(
+    [&](const Input& input)
+    {
+      if (!input.Exact)
+      {
+        return;
+      }
+      const Result result(input);
+      EXPECT_EQ(result.Core.Reconciled.Vertices, 0);
+      EXPECT_EQ(result.Core.Reconciled.Edges, 0);
+      EXPECT_EQ(GreatestDisagreement(result.Core), 0.0);
+      nodes += result.Core.Nodes.Count();
+    });
+  EXPECT_GT(nodes, 1000);
+}
+
+//----------------------------------------------------------------------------
+// What follows from the guarantees where the sampling is good enough.
+
+TEST(Topology, ShapesOfTheDataFolder)
+{
+  for (const DataSet& data : AllDataSets())
+  {
+    if (data.Name == "boot")
+    {
+      continue; // its laces are thinner than the distance of the slices
+    }
+    for (const int count : { 16, 32 })
+    {
+      SCOPED_TRACE(data.Name + " n" + std::to_string(count));
+      Input input;
+      input.Sets = ReadPieceSets(data, count);
+      const SurfaceCheck check = CheckSurface(Result(input).Mesh);
+      EXPECT_EQ(check.Components, data.Components);
+      EXPECT_EQ(check.TotalGenus(), data.Genus);
+      const double truth = CheckSurface(MeshOf(ReadTruth(data))).TotalVolume();
+      EXPECT_NEAR(check.TotalVolume(), truth, 0.02 * truth);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(Topology, AnalyticSolids)
+{
+  for (const Solid& solid : AllAnalyticSolids())
+  {
+    for (const InPlaneGrid grid : { InPlaneGrid::Aligned, InPlaneGrid::Free })
+    {
+      SCOPED_TRACE(solid.Name);
+      Input input;
+      input.Sets = SliceSolid(solid, EqualPlanes(solid, { 20, 19, 21 }), 2, grid);
+      const SurfaceCheck check = CheckSurface(Result(input).Mesh);
+      EXPECT_EQ(check.Components, solid.Components) << check;
+      EXPECT_EQ(check.TotalGenus(), solid.Genus) << check;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(Topology, CavityIsOrientedIntoItself)
+{
+  const Solid solid = HollowBall();
+  Input input;
+  input.Sets = SliceSolid(solid, EqualPlanes(solid, { 16, 16, 16 }), 3, InPlaneGrid::Free);
+  std::vector<double> volume = CheckSurface(Result(input).Mesh).Volume;
+  std::sort(volume.begin(), volume.end());
+  ASSERT_EQ(volume.size(), 2u);
+  const double ball = 4.0 / 3.0 * 3.14159265358979;
+  EXPECT_NEAR(volume[0], -ball * std::pow(0.6 - 0.21, 3), 0.02);
+  EXPECT_NEAR(volume[1], ball * std::pow(0.6 + 0.21, 3), 0.06);
+}
+
+//----------------------------------------------------------------------------
+/// Solids without parts and gaps narrower than a slab: nothing is left to chance.
+TEST(Topology, RandomSolidsWithClearance)
+{
+  const int count = 20;
+  const std::uint64_t runs = RandomRuns(UsualRuns);
+  std::uint64_t judged = 0;
+  for (std::uint64_t seed = FirstSeed(); seed < FirstSeed() + runs; ++seed)
+  {
+    const Solid solid = RandomSolid(seed);
+    const double spacing = (solid.High[2] - solid.Low[2]) / count;
+    const auto topology = CountTopology(solid, 0.5 * spacing);
+    if (!topology)
+    {
+      continue;
+    }
+    ++judged;
+    SCOPED_TRACE(solid.Name);
+    Input input;
+    input.Sets =
+      SliceSolid(solid, EqualPlanes(solid, { count, count, count }), 3, InPlaneGrid::Free);
+    const SurfaceCheck check = CheckSurface(Result(input).Mesh);
+    EXPECT_EQ(check.Components, topology->Components) << check;
+    EXPECT_EQ(check.TotalGenus(), topology->Genus) << check;
+  }
+  EXPECT_GT(judged, runs / 5);
+}
+
+//----------------------------------------------------------------------------
+/// No guarantee excludes crossing triangles; CGAL says how far from it we are on real shapes.
+TEST(Topology, SelfIntersectionsAreRare)
+{
+  VisitData(
+    [](const Input& input)
+    {
+      const TriangleMesh mesh = Result(input).Mesh;
+      const std::int64_t count = CountSelfIntersections(mesh);
+      if (count > 0)
+      {
+        std::cout << input.Name << ": " << count << " pairs of triangles cross\n";
+      }
+      EXPECT_LT(100 * count, static_cast<std::int64_t>(mesh.Triangles.size()));
+    });
+  if (CountSelfIntersections(TriangleMesh()) < 0)
+  {
+    GTEST_SKIP() << "CGAL was not found";
+  }
+}
