@@ -34,12 +34,14 @@ namespace orthoslices
  *   G1  Closed: every edge of the surface has exactly two triangles.
  *   G2  2-manifold: the triangles around every vertex form one disc.
  *   G3  Oriented: the two triangles at an edge run through it in opposite directions, and outside
- * is where the contours have it (on their right, seen from the positive end of the axis). G4
- * Contours are kept: every vertex of every contour that has a node point is a vertex of the
+ *       is where the contours have it (on their right, seen from the positive end of the axis).
+ *   G4  Contours are kept: every vertex of every contour that has a node point is a vertex of the
  *       surface, on its plane; one that lies on a grid edge may move along it by half the
- * disagreement of the two slices there. (Isolated contours, which have no node point, are listed
- * instead.) G5  Deterministic: the result does not depend on the number of threads, and slices that
- * agree are not changed by ReconcileSlices.
+ *       disagreement of the two slices there. Excepted are parts without a node point: isolated
+ *       contours, which are listed, and what ReconcileSlices cuts off where slices contradict each
+ *       other, which is listed if it has three vertices or more.
+ *   G5  Deterministic: the result does not depend on the number of threads, and slices that agree
+ *       are not changed by ReconcileSlices.
  *
  * Why G1 to G3 hold: after ReconcileSlices the two slices at an edge of M have the same crossings
  * with the same signs. A node point therefore has one arc in each of the four faces around its
