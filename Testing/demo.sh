@@ -37,8 +37,9 @@ xvfb-run -a -s "-noreset -screen 0 1600x1200x24" pvpython Plugin/Examples/Recons
   "$(find "$folder/lib" -name OrthogonalSlices.so)"
 
 if [ -x "$folder/bin/CompareMethods" ]; then
-  echo "-- Comparing with other methods"
-  "$folder/bin/CompareMethods" "$case" "$slices" | tee "$out/$case.txt"
+  echo "-- Comparing with other methods (lengths in slice spacings)"
+  "$folder/bin/CompareMethods" --data Data --cases "$case" --slices "${slices#n}" \
+    | tee "$out/$case.txt"
 fi
 
 echo "-- Results:"

@@ -31,7 +31,7 @@ install_packages()
 install_dependencies()
 {
   install_packages g++ cmake ninja-build python3-dev libgtest-dev libcgal-dev libopenmpi-dev \
-    openmpi-bin paraview paraview-dev python3-paraview libtbb-dev xvfb xauth
+    openmpi-bin paraview paraview-dev python3-paraview libtbb-dev libglew-dev libfreetype-dev xvfb xauth
 }
 
 # Plain VTK in the folder $1. Debian refuses to install it beside ParaView's Python, so its packages

@@ -53,7 +53,7 @@ def make_view():
 
 def show(source, view, color, **properties):
     display = simple.Show(simple.OutputPort(source, 0), view)
-    simple.ColorBy(display, None)
+    display.SetScalarColoring(None, 0)
     display.AmbientColor = display.DiffuseColor = color
     for name, value in properties.items():
         setattr(display, name, value)
@@ -79,6 +79,7 @@ def save_picture(readers, surface, picture):
     layout.SetSize(1600, 800)
     for view in (contours, result):
         simple.ResetCamera(view)
+        view.GetActiveCamera().Zoom(1.5)
     simple.SaveScreenshot(picture, layout, ImageResolution=[1600, 800])
 
 
