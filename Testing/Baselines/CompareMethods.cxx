@@ -1,0 +1,382 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   program: the reconstruction and the methods it is compared with, on shapes with known
+ * surface
+ *
+ * Prints one line of figures for each shape and method, and the medians. See Usage below.
+ */
+
+#include "CaseFolder.h"
+#include "Comparison.h"
+#include "DistanceInterpolation.h"
+#include "DistanceInterpolationThreeFamilies.h"
+#include "SideBySidePicture.h"
+
+#include "vtkNew.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace orthoslices::baselines;
+
+namespace
+{
+
+const char* const Usage =
+  R"(CompareMethods [options]
+  --data FOLDER       cases: FOLDER/<case>/{truth,n16_x,n16_y,n16_z,n32_x ...}.vtp
+  --cases A,B         only these cases (default: all)
+  --methods A,B       only these methods (default: all); --list shows their names
+  --slices 16|32      planes per axis, N (default 32)
+  --comparison NAME   same-planes (default): the same N planes per axis for all;
+                      same-number: N per axis against 3 N z-slices for parallel methods;
+                      sparse-z: N x N x N/4 planes; all: one after the other
+  --samples NUMBER    samples on each surface (default 100000)
+  --csv FILE          also write the rows as comma-separated values
+  --surfaces FOLDER   also write every surface as FOLDER/<comparison>_<N>_<case>_<method>.vtp
+  --picture FILE.png  also show our surface, ruled, volume and truth of the first case
+  --sweep             figures of the volume methods against their resolution instead
+  --list              print the methods and the cases
+Lengths are in units of h, the geometric mean of the three slice spacings; normals in degrees.
+)";
+
+//------------------------------------------------------------------------------
+struct Options
+{
+  std::string Data = ORTHOGONAL_SLICES_DATA_DIR;
+  std::vector<std::string> Cases;
+  std::vector<std::string> Methods;
+  std::vector<Comparison> Comparisons{ Comparison::SamePlanes };
+  int Number = 32;
+  std::int64_t Samples = 100000;
+  std::string CsvFile;
+  std::string SurfaceFolder;
+  std::string PictureFile;
+  bool Sweep = false;
+  bool List = false;
+  bool Help = false;
+};
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SplitAtCommas(const std::string& text)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');)
+  {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Comparison> ParseComparisons(const std::string& text)
+{
+  if (text == "all")
+  {
+    return { Comparison::SamePlanes, Comparison::SameNumber, Comparison::SparseZ };
+  }
+  std::vector<Comparison> comparisons;
+  for (const std::string& name : SplitAtCommas(text))
+  {
+    comparisons.push_back(ComparisonFromName(name));
+  }
+  return comparisons;
+}
+
+//------------------------------------------------------------------------------
+std::int64_t ParsePositive(const std::string& text)
+{
+  std::size_t used = 0;
+  long long number = 0;
+  try
+  {
+    number = std::stoll(text, &used);
+  }
+  catch (const std::exception&)
+  {
+    used = 0;
+  }
+  if (used == 0 || used != text.size() || number < 1 || number > 1000000000)
+  {
+    throw std::runtime_error("\"" + text + "\" is not a positive number");
+  }
+  return number;
+}
+
+//------------------------------------------------------------------------------
+void ParseValue(const std::string& option, const std::string& value, Options& options)
+{
+  if (option == "--data")
+  {
+    options.Data = value;
+  }
+  else if (option == "--cases")
+  {
+    options.Cases = SplitAtCommas(value);
+  }
+  else if (option == "--methods")
+  {
+    options.Methods = SplitAtCommas(value);
+  }
+  else if (option == "--comparison")
+  {
+    options.Comparisons = ParseComparisons(value);
+  }
+  else if (option == "--slices")
+  {
+    options.Number = static_cast<int>(ParsePositive(value));
+  }
+  else if (option == "--samples")
+  {
+    options.Samples = ParsePositive(value);
+  }
+  else if (option == "--csv")
+  {
+    options.CsvFile = value;
+  }
+  else if (option == "--surfaces")
+  {
+    options.SurfaceFolder = value;
+  }
+  else if (option == "--picture")
+  {
+    options.PictureFile = value;
+  }
+  else
+  {
+    throw std::runtime_error("unknown option " + option);
+  }
+}
+
+//------------------------------------------------------------------------------
+Options Parse(const std::vector<std::string>& arguments)
+{
+  Options options;
+  for (std::size_t i = 0; i < arguments.size(); ++i)
+  {
+    const std::string& option = arguments[i];
+    if (option == "--sweep" || option == "--list" || option == "--help")
+    {
+      (option == "--sweep"     ? options.Sweep
+          : option == "--list" ? options.List
+                               : options.Help) = true;
+    }
+    else if (i + 1 < arguments.size())
+    {
+      ParseValue(option, arguments[++i], options);
+    }
+    else
+    {
+      throw std::runtime_error("unknown option or no value: " + option);
+    }
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+using Methods = std::vector<std::unique_ptr<Baseline>>;
+
+//------------------------------------------------------------------------------
+// The methods asked for, in the order of the tables.
+Methods SelectMethods(const std::vector<std::string>& names)
+{
+  Methods selected;
+  for (std::unique_ptr<Baseline>& method : MakeAllMethods())
+  {
+    if (names.empty() || std::find(names.begin(), names.end(), method->Name()) != names.end())
+    {
+      selected.push_back(std::move(method));
+    }
+  }
+  if (selected.size() < names.size())
+  {
+    throw std::runtime_error("--methods: unknown or repeated name");
+  }
+  return selected;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> SelectCases(const Options& options)
+{
+  const std::vector<std::string> all = ListCases(options.Data);
+  for (const std::string& name : options.Cases)
+  {
+    if (std::find(all.begin(), all.end(), name) == all.end())
+    {
+      throw std::runtime_error("there is no case \"" + name + "\" in " + options.Data);
+    }
+  }
+  return options.Cases.empty() ? all : options.Cases;
+}
+
+//------------------------------------------------------------------------------
+// Surfaces of the picture in the order of the paper's Figure 10.
+void AddToPicture(const std::string& method, vtkPolyData* surface, SideBySidePicture& picture)
+{
+  if (method == "orthogonal")
+  {
+    picture.Add("orthogonal slices", surface);
+  }
+  else if (method == "ruled-walk")
+  {
+    picture.Add("ruled surface", surface);
+  }
+  else if (method == "volume-z")
+  {
+    picture.Add("volume", surface);
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteSurface(const Outcome& outcome, const std::string& folder)
+{
+  const Row& row = outcome.Figures;
+  const std::string name = row.ComparisonName + '_' + std::to_string(row.Number) + '_' +
+    row.CaseName + '_' + row.MethodName + ".vtp";
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(outcome.Surface);
+  writer->SetFileName((folder + '/' + name).c_str());
+  if (!writer->Write())
+  {
+    throw std::runtime_error("cannot write " + name + " to " + folder);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<Row> Compare(const Options& options)
+{
+  const Methods methods = SelectMethods(options.Methods);
+  std::vector<Row> rows;
+  SideBySidePicture picture;
+  for (const Comparison comparison : options.Comparisons)
+  {
+    for (const std::string& name : SelectCases(options))
+    {
+      const Task task = MakeTask(options.Data, name, comparison, options.Number);
+      const bool inPicture = rows.size() < methods.size();
+      for (const std::unique_ptr<Baseline>& method : methods)
+      {
+        std::cerr << NameOf(comparison) << ' ' << name << ' ' << method->Name() << std::endl;
+        const Outcome outcome = RunMethod(*method, task, options.Samples);
+        rows.push_back(outcome.Figures);
+        if (!options.SurfaceFolder.empty())
+        {
+          WriteSurface(outcome, options.SurfaceFolder);
+        }
+        if (inPicture)
+        {
+          AddToPicture(method->Name(), outcome.Surface, picture);
+        }
+      }
+      if (inPicture)
+      {
+        picture.Add("known surface", task.Truth);
+      }
+    }
+  }
+  if (!options.PictureFile.empty())
+  {
+    picture.Write(options.PictureFile);
+  }
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+void RunSweepStep(const Baseline& method, int resolution, const Task& task, const Options& options,
+  std::vector<Row>& rows)
+{
+  Row row = RunMethod(method, task, options.Samples).Figures;
+  row.MethodName += "@" + std::to_string(resolution);
+  std::cerr << task.CaseName << ' ' << row.MethodName << std::endl;
+  rows.push_back(row);
+}
+
+//------------------------------------------------------------------------------
+// The volume methods at growing resolutions: where the RMS error no longer falls is enough.
+std::vector<Row> Sweep(const Options& options)
+{
+  std::vector<Row> rows;
+  for (const Comparison comparison : options.Comparisons)
+  {
+    for (const std::string& name : SelectCases(options))
+    {
+      const Task task = MakeTask(options.Data, name, comparison, options.Number);
+      for (const int resolution : { 64, 96, 128, 192, 256, 384 })
+      {
+        RunSweepStep(DistanceInterpolation(resolution), resolution, task, options, rows);
+      }
+      for (const int parts : { 2, 3, 4, 6, 8, 12 })
+      {
+        RunSweepStep(DistanceInterpolationThreeFamilies(parts), parts, task, options, rows);
+      }
+    }
+  }
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+void PrintList(const Options& options)
+{
+  for (const std::unique_ptr<Baseline>& method : MakeAllMethods())
+  {
+    std::cout << method->Name() << ": " << method->Description() << '\n';
+  }
+  for (const std::string& name : ListCases(options.Data))
+  {
+    std::cout << name << '\n';
+  }
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options)
+{
+  if (options.Help)
+  {
+    std::cout << Usage;
+    return;
+  }
+  if (options.List)
+  {
+    PrintList(options);
+    return;
+  }
+  const std::vector<Row> rows = options.Sweep ? Sweep(options) : Compare(options);
+  PrintTable(rows, std::cout);
+  if (!options.CsvFile.empty())
+  {
+    std::ofstream file(options.CsvFile);
+    WriteCsv(rows, file);
+    if (!file.flush())
+    {
+      throw std::runtime_error("cannot write " + options.CsvFile);
+    }
+  }
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  try
+  {
+    Run(Parse(std::vector<std::string>(argv + 1, argv + argc)));
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "CompareMethods: " << error.what()
+              << "\nCompareMethods --help lists the options.\n";
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,327 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Comparison.h"
+
+#include "CaseFolder.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <iomanip>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace orthoslices
+{
+namespace baselines
+{
+namespace
+{
+
+constexpr Comparison AllComparisons[] = { Comparison::SamePlanes, Comparison::SameNumber,
+  Comparison::SparseZ };
+
+//------------------------------------------------------------------------------
+void Measure(const Task& task, std::int64_t samples, Outcome& outcome)
+{
+  Row& row = outcome.Figures;
+  row.Shape = support::MeasureTopology(outcome.Surface);
+  const auto deviation = support::MeasureDeviation(outcome.Surface, task.Truth, samples);
+  if (!deviation)
+  {
+    row.Status = "empty surface";
+    return;
+  }
+  row.Figures = deviation->ScaledBy(1.0 / task.Spacing);
+  const support::Topology truth = support::MeasureTopology(task.Truth);
+  row.IsTopologyRight = row.Shape.IsClosedManifold() && row.Shape.Components == truth.Components &&
+    row.Shape.Genus == truth.Genus;
+}
+
+//------------------------------------------------------------------------------
+// Rounded to DIGITS after the point.
+std::string Format(double value, int digits)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(digits) << value;
+  return text.str();
+}
+
+//------------------------------------------------------------------------------
+std::string FormatGenus(const support::Topology& shape)
+{
+  return shape.Genus ? std::to_string(*shape.Genus) : "-";
+}
+
+//------------------------------------------------------------------------------
+using Cells = std::vector<std::string>;
+
+const Cells Heading{ "comparison", "N", "case", "method", "RMS/h", "mean/h", "Hausdorff/h",
+  "normals", "components", "genus", "watertight", "topology", "seconds" };
+
+//------------------------------------------------------------------------------
+Cells FormatRow(const Row& row)
+{
+  Cells cells{ row.ComparisonName, std::to_string(row.Number), row.CaseName, row.MethodName };
+  if (!row.Figures)
+  {
+    cells.push_back(row.Status);
+    return cells;
+  }
+  const support::Deviation& d = *row.Figures;
+  for (const double length : { d.RootMeanSquare, d.Mean, d.Hausdorff })
+  {
+    cells.push_back(Format(length, 4));
+  }
+  cells.push_back(Format(d.NormalDegrees, 2));
+  cells.push_back(std::to_string(row.Shape.Components));
+  cells.push_back(FormatGenus(row.Shape));
+  cells.push_back(row.Shape.IsWatertight() ? "yes" : "no");
+  cells.push_back(row.IsTopologyRight ? "right" : "wrong");
+  cells.push_back(Format(row.Seconds, 3));
+  return cells;
+}
+
+//------------------------------------------------------------------------------
+// Text columns to the left, numbers to the right; a status may be longer than its column.
+void PrintAligned(const std::vector<Cells>& lines, std::size_t textColumns, std::ostream& out)
+{
+  std::vector<std::size_t> widths;
+  for (const Cells& line : lines)
+  {
+    widths.resize(std::max(widths.size(), line.size()), 0);
+    for (std::size_t i = 0; i < line.size(); ++i)
+    {
+      const bool isStatus = i >= textColumns && i + 1 == line.size() && i + 1 < widths.size();
+      widths[i] = isStatus ? widths[i] : std::max(widths[i], line[i].size());
+    }
+  }
+  for (const Cells& line : lines)
+  {
+    for (std::size_t i = 0; i < line.size(); ++i)
+    {
+      out << (i == 0 ? "" : "  ") << std::setw(static_cast<int>(widths[i]))
+          << (i < textColumns ? std::left : std::right) << line[i];
+    }
+    out << '\n';
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string FormatMedian(std::vector<double> values, int digits)
+{
+  if (values.empty())
+  {
+    return "-";
+  }
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return Format(0.5 * (values[half] + values[(values.size() - 1) / 2]), digits);
+}
+
+//------------------------------------------------------------------------------
+// The figures of one method over all cases of a comparison.
+struct Summary
+{
+  std::string MethodName;
+  std::size_t Runs = 0;
+  std::size_t Right = 0;
+  std::size_t Watertight = 0;
+  std::vector<double> RootMeanSquares;
+  std::vector<double> Hausdorffs;
+  std::vector<double> Normals;
+  double Seconds = 0.0;
+
+  void Add(const Row& row)
+  {
+    ++this->Runs;
+    this->Right += row.IsTopologyRight;
+    this->Watertight += row.Shape.IsWatertight();
+    this->Seconds += row.Seconds;
+    if (row.Figures)
+    {
+      this->RootMeanSquares.push_back(row.Figures->RootMeanSquare);
+      this->Hausdorffs.push_back(row.Figures->Hausdorff);
+      this->Normals.push_back(row.Figures->NormalDegrees);
+    }
+  }
+
+  Cells Format() const
+  {
+    const std::string runs = " of " + std::to_string(this->Runs);
+    return { this->MethodName, FormatMedian(this->RootMeanSquares, 4),
+      FormatMedian(this->Hausdorffs, 4), FormatMedian(this->Normals, 2),
+      std::to_string(this->Watertight) + runs, std::to_string(this->Right) + runs,
+      baselines::Format(this->Seconds, 2) };
+  }
+};
+
+//------------------------------------------------------------------------------
+void PrintSummary(const std::vector<Row>& rows, std::ostream& out)
+{
+  std::vector<Summary> summaries;
+  for (const Row& row : rows)
+  {
+    const auto same = [&row](const Summary& s) { return s.MethodName == row.MethodName; };
+    auto found = std::find_if(summaries.begin(), summaries.end(), same);
+    if (found == summaries.end())
+    {
+      summaries.emplace_back();
+      found = summaries.end() - 1;
+      found->MethodName = row.MethodName;
+    }
+    found->Add(row);
+  }
+  std::vector<Cells> lines{ { "medians of " + rows.front().ComparisonName, "RMS/h", "Hausdorff/h",
+    "normals", "watertight", "topology right", "seconds (sum)" } };
+  for (const Summary& summary : summaries)
+  {
+    lines.push_back(summary.Format());
+  }
+  PrintAligned(lines, 1, out);
+}
+
+//------------------------------------------------------------------------------
+// Double quotes where the text asks for them (RFC 4180).
+std::string QuoteCsv(const std::string& text)
+{
+  if (text.find_first_of(",\"\n") == std::string::npos)
+  {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text)
+  {
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
+} // anonymous namespace
+
+//------------------------------------------------------------------------------
+std::string NameOf(Comparison comparison)
+{
+  switch (comparison)
+  {
+    case Comparison::SamePlanes:
+      return "same-planes";
+    case Comparison::SameNumber:
+      return "same-number";
+    default:
+      return "sparse-z";
+  }
+}
+
+//------------------------------------------------------------------------------
+Comparison ComparisonFromName(const std::string& name)
+{
+  for (const Comparison comparison : AllComparisons)
+  {
+    if (NameOf(comparison) == name)
+    {
+      return comparison;
+    }
+  }
+  throw std::runtime_error("there is no comparison \"" + name + "\"");
+}
+
+//------------------------------------------------------------------------------
+Task MakeTask(const std::string& folder, const std::string& name, Comparison kind, int number)
+{
+  Task task{ name, kind, number, ReadTruth(folder, name), {}, {}, 0.0 };
+  switch (kind)
+  {
+    case Comparison::SamePlanes:
+      task.Orthogonal = ReadSlices(folder, name, number);
+      task.Parallel = task.Orthogonal;
+      break;
+    case Comparison::SameNumber:
+      task.Orthogonal = CutSurface(task.Truth, { number, number, number });
+      task.Parallel = CutSurface(task.Truth, { 0, 0, 3 * number });
+      break;
+    case Comparison::SparseZ:
+      task.Orthogonal = CutSurface(task.Truth, { number, number, number / 4 });
+      task.Parallel = task.Orthogonal;
+      break;
+  }
+  task.Spacing = MeanSpacing(task.Orthogonal);
+  if (!(task.Spacing > 0.0))
+  {
+    throw std::runtime_error("the slices of " + name + " have no spacing");
+  }
+  return task;
+}
+
+//------------------------------------------------------------------------------
+Outcome RunMethod(const Baseline& method, const Task& task, std::int64_t samples)
+{
+  Outcome outcome;
+  outcome.Surface = vtkSmartPointer<vtkPolyData>::New();
+  Row& row = outcome.Figures;
+  row.CaseName = task.CaseName;
+  row.ComparisonName = NameOf(task.Kind);
+  row.Number = task.Number;
+  row.MethodName = method.Name();
+  const auto start = std::chrono::steady_clock::now();
+  try
+  {
+    outcome.Surface = method.Reconstruct(task.SlicesFor(method));
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    row.Seconds = elapsed.count();
+    Measure(task, samples, outcome);
+  }
+  catch (const std::exception& error)
+  {
+    row.Status = std::string("failed: ") + error.what();
+  }
+  return outcome;
+}
+
+//------------------------------------------------------------------------------
+void PrintTable(const std::vector<Row>& rows, std::ostream& out)
+{
+  std::vector<std::pair<std::string, std::vector<Row>>> groups;
+  for (const Row& row : rows)
+  {
+    if (groups.empty() || groups.back().first != row.ComparisonName)
+    {
+      groups.push_back({ row.ComparisonName, {} });
+    }
+    groups.back().second.push_back(row);
+  }
+  for (const auto& [name, members] : groups)
+  {
+    std::vector<Cells> lines{ Heading };
+    std::transform(members.begin(), members.end(), std::back_inserter(lines), FormatRow);
+    PrintAligned(lines, 4, out);
+    out << '\n';
+    PrintSummary(members, out);
+    out << '\n';
+  }
+}
+
+//------------------------------------------------------------------------------
+void WriteCsv(const std::vector<Row>& rows, std::ostream& out)
+{
+  out << "comparison,N,case,method,status,rms_h,mean_h,hausdorff_h,normal_degrees,components,genus,"
+         "watertight,closed_manifold,topology_right,open_edges,non_manifold_edges,triangles,"
+         "seconds\n";
+  for (const Row& row : rows)
+  {
+    const support::Deviation d = row.Figures.value_or(support::Deviation());
+    out << row.ComparisonName << ',' << row.Number << ',' << QuoteCsv(row.CaseName) << ','
+        << row.MethodName << ',' << QuoteCsv(row.Status) << ',' << d.RootMeanSquare << ',' << d.Mean
+        << ',' << d.Hausdorff << ',' << d.NormalDegrees << ',' << row.Shape.Components << ','
+        << (row.Shape.Genus ? std::to_string(*row.Shape.Genus) : "") << ','
+        << row.Shape.IsWatertight() << ',' << row.Shape.IsClosedManifold() << ','
+        << row.IsTopologyRight << ',' << row.Shape.OpenEdges << ',' << row.Shape.NonManifoldEdges
+        << ',' << row.Shape.Triangles << ',' << row.Seconds << '\n';
+  }
+}
+
+} // namespace baselines
+} // namespace orthoslices

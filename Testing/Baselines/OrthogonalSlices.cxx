@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OrthogonalSlices.h"
+
+#include "vtkNew.h"
+#include "vtkOrthogonalSliceReconstruction.h"
+
+namespace orthoslices
+{
+namespace baselines
+{
+
+//------------------------------------------------------------------------------
+std::string OrthogonalSlices::Description() const
+{
+  return "vtkOrthogonalSliceReconstruction, default settings";
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> OrthogonalSlices::Reconstruct(const SliceSets& slices) const
+{
+  vtkNew<vtkOrthogonalSliceReconstruction> filter;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    filter->SetInputData(axis, slices.Families[axis]);
+  }
+  filter->Update();
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->ShallowCopy(filter->GetOutput());
+  return surface;
+}
+
+} // namespace baselines
+} // namespace orthoslices
