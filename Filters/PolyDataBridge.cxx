@@ -31,8 +31,9 @@ namespace
 class PieceReader
 {
 public:
-  PieceReader(vtkPolyData* input, Pieces& pieces)
-    : Points(input->GetPoints()->GetData())
+  PieceReader(vtkPolyData* input, bool round, Pieces& pieces)
+    : Round(round)
+    , Points(input->GetPoints()->GetData())
     , Ghosts(vtkUnsignedCharArray::SafeDownCast(
         input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName())))
     , Target(pieces)
@@ -45,6 +46,7 @@ private:
   void AddPoint(vtkIdType point);
   void AddCell(vtkIdType cell, vtkIdType count, const vtkIdType* points, bool polygon);
 
+  bool Round;
   vtkDataArray* Points;
   vtkUnsignedCharArray* Ghosts;
   Pieces& Target;
@@ -64,6 +66,10 @@ void PieceReader::AddPoint(vtkIdType point)
   else
   {
     this->Points->GetTuple(point, x);
+  }
+  if (this->Round)
+  {
+    std::transform(x, x + 3, x, [](double value) { return static_cast<float>(value); });
   }
   this->Target.U.push_back(x[FirstAxis(this->Target.Axis)]);
   this->Target.V.push_back(x[SecondAxis(this->Target.Axis)]);
@@ -151,7 +157,7 @@ Array* AddArray(vtkFieldData* data, const char* name, int components, vtkIdType 
 template <typename IdArray>
 void FillTriangles(const Reconstruction& result, const Execution& execution, vtkCellArray* cells)
 {
-  const vtkIdType count = result.Triangles.Count();
+  const vtkIdType count = result.Surface.TriangleCount();
   vtkNew<IdArray> offsets;
   vtkNew<IdArray> connectivity;
   offsets->SetNumberOfValues(count + 1);
@@ -161,7 +167,7 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
   {
     offset[i] = static_cast<typename IdArray::ValueType>(3 * i);
   }
-  WriteTriangles(result.Triangles, result.Graph, result.Lattice, result.Nodes, result.Polygons,
+  WriteTriangles(result.Surface, result.Graph, result.Lattice, result.Nodes, result.Polygons,
     execution, connectivity->GetPointer(0));
   cells->SetData(offsets, connectivity);
 }
@@ -183,14 +189,14 @@ void FillCellArrays(Reconstruction& result, vtkCellData* data)
   result.Nodes = NodePoints();
   result.Graph = NodeGraph();
   result.Polygons.Arcs = {};
-  const vtkIdType count = result.Triangles.Count();
+  const vtkIdType count = result.Surface.TriangleCount();
   int* component = AddArray<vtkIntArray>(data, "ComponentId", 1, count)->GetPointer(0);
   auto* cell = AddArray<vtkUnsignedShortArray>(data, "GridCell", 3, count)->GetPointer(0);
   auto* size = AddArray<vtkUnsignedShortArray>(data, "PolygonSize", 1, count)->GetPointer(0);
   for (Index i = 0; i < polygons.Count(); ++i)
   {
-    const std::int64_t begin = result.Triangles.Offsets[i];
-    const std::int64_t end = result.Triangles.Offsets[i + 1];
+    const std::int64_t begin = result.Surface.Offsets[i];
+    const std::int64_t end = result.Surface.Offsets[i + 1];
     std::fill(component + begin, component + end, components[i]);
     std::fill(size + begin, size + end,
       static_cast<unsigned short>(std::min<Index>(polygons.Size(i), VTK_UNSIGNED_SHORT_MAX)));
@@ -279,7 +285,8 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
     vtkIdType(result.ContourCount[0]) + result.ContourCount[1] + result.ContourCount[2]);
   add("NumberOfIsolatedContours", result.Isolated.Count());
   add("NumberOfNodePoints", result.Graph.Nodes);
-  add("NumberOfCellsWithSeveralCycles", CountCellsWithSeveralCycles(result.Grid, result.Polygons));
+  add("NumberOfCellsWithSeveralCycles",
+    static_cast<vtkIdType>(GroupByCell(result.Grid, result.Polygons).Several.size()));
   add("NumberOfReconciledVertices", result.Reconciled.Vertices);
   add("NumberOfReconciledEdges", result.Reconciled.Edges);
 }
@@ -425,7 +432,7 @@ void GraphWriter::AddIsolated()
 }
 }
 
-Pieces ReadPieces(vtkPolyData* input, int axis)
+Pieces ReadPieces(vtkPolyData* input, int axis, bool doublePrecision)
 {
   Pieces pieces;
   pieces.Axis = axis;
@@ -433,7 +440,7 @@ Pieces ReadPieces(vtkPolyData* input, int axis)
   {
     return pieces;
   }
-  PieceReader reader(input, pieces);
+  PieceReader reader(input, !doublePrecision, pieces);
   const vtkIdType verts = input->GetNumberOfVerts();
   reader.Read(input->GetLines(), false, verts);
   reader.Read(input->GetPolys(), true, verts + input->GetNumberOfLines());
@@ -445,14 +452,25 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
 {
   Reconstruction result = std::move(consumed);
   const vtkIdType graphPoints = result.Graph.Count();
-  auto points = NewPoints(doublePrecision, graphPoints + result.Polygons.Count());
+  std::vector<double> shellPoints;
+  for (const ShellPatch& shell : result.Surface.Shells)
+  {
+    for (std::size_t i = 1; i < shell.Points.size(); ++i)
+    {
+      shellPoints.insert(shellPoints.end(), shell.Points[i].begin(), shell.Points[i].end());
+    }
+  }
+  const vtkIdType allCenters = graphPoints + result.Polygons.Count();
+  auto points =
+    NewPoints(doublePrecision, allCenters + static_cast<vtkIdType>(shellPoints.size() / 3));
   CopyPoints(result.Graph.Points, 0, points);
-  CopyPoints(result.CentralPoints, graphPoints, points);
+  CopyPoints(result.Surface.CentralPoints, graphPoints, points);
+  CopyPoints(shellPoints, allCenters, points);
   result.Graph.Points = {};
-  result.CentralPoints = {};
+  result.Surface.CentralPoints = {};
   surface->SetPoints(points);
   vtkNew<vtkCellArray> cells;
-  if (3 * result.Triangles.Count() < std::numeric_limits<std::int32_t>::max())
+  if (3 * result.Surface.TriangleCount() < std::numeric_limits<std::int32_t>::max())
   {
     FillTriangles<vtkTypeInt32Array>(result, execution, cells);
   }

@@ -15,10 +15,12 @@ class vtkTable;
 namespace orthoslices
 {
 /**
- * Lines and polygons of a port as pieces of contours on slices across `axis`. Ghost cells and cells
- * of fewer than two points are passed over. Cell numbers are those of vtkPolyData (vertices first).
+ * Lines and polygons of a port as pieces of contours on slices across `axis`. Ghost cells and cells of
+ * fewer than two points are passed over. Cell numbers are those of vtkPolyData (vertices first).
+ * Without doublePrecision, coordinates are rounded to float here, so that all stages see
+ * the values of the result.
  */
-Pieces ReadPieces(vtkPolyData* input, int axis);
+Pieces ReadPieces(vtkPolyData* input, int axis, bool doublePrecision);
 
 /**
  * Port 0: triangles, cell arrays, normals, field data; see vtkOrthogonalSliceReconstruction.

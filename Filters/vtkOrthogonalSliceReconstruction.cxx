@@ -4,17 +4,22 @@
 
 #include "PolyDataBridge.h"
 
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
 vtkStandardNewMacro(vtkOrthogonalSliceReconstruction);
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 namespace
 {
@@ -58,13 +63,19 @@ std::string ListProblems(const std::vector<orthoslices::Problem>& problems)
 }
 
 /// What the user should know about a result that is closed all the same; empty if nothing.
-std::string ListDoubts(const orthoslices::Reconstruction& result)
+std::string ListDoubts(const orthoslices::Reconstruction& result, bool repaired)
 {
   std::ostringstream text;
-  if (!result.Problems.empty())
+  if (!result.Invalid.empty())
   {
     text << "\n"
-         << result.Problems.size() << " contours were left out:" << ListProblems(result.Problems);
+         << result.Invalid.size() << " contours were left out:" << ListProblems(result.Invalid);
+  }
+  if (!result.Crossing.empty())
+  {
+    text << "\n"
+         << result.Crossing.size() << " contours cross and were "
+         << (repaired ? "repaired:" : "left out:") << ListProblems(result.Crossing);
   }
   if (result.Reconciled.Vertices > 0 || result.Reconciled.Edges > 0)
   {
@@ -112,10 +123,31 @@ vtkTable* vtkOrthogonalSliceReconstruction::GetHistogramOutput()
   return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
 }
 
-int vtkOrthogonalSliceReconstruction::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  std::array<orthoslices::Pieces, 3> pieces;
+  // Contours of all pieces belong together: every request needs the whole input.
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkInformation* input = inputs[port]->GetInformationObject(0);
+    if (input != nullptr)
+    {
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+  return 1;
+}
+
+int vtkOrthogonalSliceReconstruction::RequestData(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const int from = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  if (outputs->GetInformationObject(from)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1;
+  }
   bool doublePrecision = this->OutputPointsPrecision == DOUBLE_PRECISION;
   for (int port = 0; port < 3; ++port)
   {
@@ -136,14 +168,24 @@ int vtkOrthogonalSliceReconstruction::RequestData(
     }
     doublePrecision |= this->OutputPointsPrecision == DEFAULT_PRECISION &&
       input->GetPoints()->GetDataType() == VTK_DOUBLE;
-    pieces[port] = orthoslices::ReadPieces(input, port);
+  }
+  std::array<orthoslices::Pieces, 3> pieces;
+  for (int port = 0; port < 3; ++port)
+  {
+    pieces[port] =
+      orthoslices::ReadPieces(vtkPolyData::GetData(inputs[port]), port, doublePrecision);
   }
 
   orthoslices::Options options;
   options.PlaneTolerance = this->PlaneTolerance;
   options.Orient = this->Orientation == ORIENT_AS_DRAWN ? orthoslices::Orientation::AsDrawn
                                                         : orthoslices::Orientation::ByNesting;
-  options.RefuseProblems = this->InvalidContours == REFUSE;
+  options.SinglePrecision = !doublePrecision;
+  options.RefuseInvalid = this->InvalidContours == REFUSE;
+  options.Crossing = this->CrossingContours == REPAIR_CROSSING
+    ? orthoslices::CrossingContours::Repair
+    : this->CrossingContours == REFUSE_CROSSING ? orthoslices::CrossingContours::Refuse
+                                                : orthoslices::CrossingContours::LeaveOut;
   options.Central = this->CentralPoint == CENTROID ? orthoslices::CentralPointMethod::Centroid
                                                    : orthoslices::CentralPointMethod::LeastSquares;
   orthoslices::Execution execution;
@@ -164,10 +206,12 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   {
     return 1;
   }
-  if (options.RefuseProblems && !result.Problems.empty())
+  if (result.Refused)
   {
-    vtkErrorMacro("The input has " << result.Problems.size()
-                                   << " unusable contours:" << ListProblems(result.Problems));
+    std::vector<orthoslices::Problem> problems = result.Invalid;
+    problems.insert(problems.end(), result.Crossing.begin(), result.Crossing.end());
+    vtkErrorMacro(
+      "The input has " << problems.size() << " unusable contours:" << ListProblems(problems));
     return 0;
   }
   for (int axis = 0; axis < 3; ++axis)
@@ -180,7 +224,7 @@ int vtkOrthogonalSliceReconstruction::RequestData(
       return 0;
     }
   }
-  const std::string doubts = ListDoubts(result);
+  const std::string doubts = ListDoubts(result, this->CrossingContours == REPAIR_CROSSING);
   if (!doubts.empty())
   {
     vtkWarningMacro(<< doubts);
@@ -201,6 +245,11 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent
      << "Orientation: " << (this->Orientation == ORIENT_AS_DRAWN ? "AsDrawn" : "ByNesting") << "\n";
   os << indent << "InvalidContours: " << (this->InvalidContours == REFUSE ? "Refuse" : "LeaveOut")
+     << "\n";
+  os << indent << "CrossingContours: "
+     << (this->CrossingContours == REPAIR_CROSSING      ? "Repair"
+            : this->CrossingContours == REFUSE_CROSSING ? "Refuse"
+                                                        : "LeaveOut")
      << "\n";
   os << indent << "CentralPoint: " << (this->CentralPoint == CENTROID ? "Centroid" : "LeastSquares")
      << "\n";

@@ -55,15 +55,19 @@
  * Port 2, the histogram of polygon sizes (vtkTable; the paper's Figure 8): columns "PolygonSize"
  * and "Count" (vtkIdType), one row for every size from the smallest to the largest that occurs.
  *
+ * In a parallel run the first process reconstructs the whole surface from the whole input; the outputs of the
+ * others are empty.
+ *
  * @section Guarantees Guarantees
- * G1 to G5 in Core/Reconstruct.h: closed, 2-manifold, consistently oriented outwards, contour
- * vertices kept, the same bytes for any number of threads and on every execution.
+ * G1 to G6 in Core/Reconstruct.h: closed, 2-manifold, consistently oriented outwards, contour
+ * vertices kept, the same bytes for any number of threads and on every execution, no two triangles
+ * that cross.
  *
  * @section Errors Errors
  * A port without contours, an open contour, a contour that leaves its plane by more than the
- * tolerance, contours that cross themselves or each other within one slice and coordinates that are
- * not finite are reported with port, cell and coordinate. They are errors with empty outputs
- * (InvalidContours = REFUSE) or left out with one warning (LEAVE_OUT).
+ * tolerance, and coordinates that are not finite are reported with port, cell and coordinate: as errors
+ * with empty outputs (InvalidContours = REFUSE), or in one warning (LEAVE_OUT). So are contours that cross
+ * themselves or each other within one slice (CrossingContours), which by default are repaired.
  * Where the three families contradict each other, one warning says so and the "Disagreement"
  * array shows where.
  *
@@ -98,6 +102,13 @@ public:
     LEAVE_OUT = 1
   };
 
+  enum CrossingContoursMode
+  {
+    REPAIR_CROSSING = 0,
+    REFUSE_CROSSING = 1,
+    LEAVE_OUT_CROSSING = 2
+  };
+
   enum CentralPointMode
   {
     LEAST_SQUARES = 0,
@@ -126,13 +137,26 @@ public:
 
   ///@{
   /**
-   * What happens to contours that are open, off their plane, self-crossing or not finite: the
-   * input is refused with an error (default), or they are left out with a warning.
+   * What happens to contours that are open, off their plane or not finite: the input is refused with an
+   * error (default), or they are left out with a warning.
    */
   vtkSetClampMacro(InvalidContours, int, REFUSE, LEAVE_OUT);
   vtkGetMacro(InvalidContours, int);
   void SetInvalidContoursToRefuse() { this->SetInvalidContours(REFUSE); }
   void SetInvalidContoursToLeaveOut() { this->SetInvalidContours(LEAVE_OUT); }
+  ///@}
+
+  ///@{
+  /**
+   * What happens to contours that cross themselves or another contour of their slice: they are repaired
+   * where they cross, with a warning (default), the input is refused with an error, or they are left out
+   * with a warning.
+   */
+  vtkSetClampMacro(CrossingContours, int, REPAIR_CROSSING, LEAVE_OUT_CROSSING);
+  vtkGetMacro(CrossingContours, int);
+  void SetCrossingContoursToRepair() { this->SetCrossingContours(REPAIR_CROSSING); }
+  void SetCrossingContoursToRefuse() { this->SetCrossingContours(REFUSE_CROSSING); }
+  void SetCrossingContoursToLeaveOut() { this->SetCrossingContours(LEAVE_OUT_CROSSING); }
   ///@}
 
   ///@{
@@ -178,6 +202,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -187,6 +212,7 @@ private:
   double PlaneTolerance = 1e-5;
   int Orientation = ORIENT_BY_NESTING;
   int InvalidContours = REFUSE;
+  int CrossingContours = REPAIR_CROSSING;
   int CentralPoint = LEAST_SQUARES;
   bool ComputeNormals = true;
   int OutputPointsPrecision = DEFAULT_PRECISION;

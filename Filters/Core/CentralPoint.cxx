@@ -229,30 +229,12 @@ private:
   double Right[6] = {};
 };
 
-/// Least distance of a central point from the faces of its cell, as a part of the cell's width.
-constexpr double InnerMargin = 1e-3;
-
 /**
- * Moves a coordinate into the open slab. A cell is convex, so that the rays from a point strictly
- * inside to the points of its boundary meet nowhere else: the fan of a polygon without crossings
- * has none either.
+ * Least distance of a central point from the faces of its cell, as a part of the cell's width. A cell is
+ * convex, so that the rays from a point strictly inside to the points of its boundary meet nowhere
+ * else: the fan of a polygon without crossings has none either.
  */
-double KeepInside(const SpatialGrid& grid, int axis, Index slab, double coordinate)
-{
-  const auto& planes = grid.Planes[axis];
-  const bool below = slab > 0;
-  const bool above = slab < grid.Count(axis);
-  const double width = below && above ? planes[slab] - planes[slab - 1] : grid.MeanSpacing(axis);
-  if (below)
-  {
-    coordinate = std::max(coordinate, planes[slab - 1] + InnerMargin * width);
-  }
-  if (above)
-  {
-    coordinate = std::min(coordinate, planes[slab] - InnerMargin * width);
-  }
-  return coordinate;
-}
+constexpr double InnerMargin = 1e-3;
 
 /// The boundary of one spatial polygon: points, lengths, centroid.
 class PolygonCenter
@@ -427,7 +409,7 @@ std::vector<double> LocateCentralPoints(CentralPointMethod method, const Spatial
         for (int axis = 0; axis < 3; ++axis)
         {
           centers[3 * cycle + axis] =
-            KeepInside(grid, axis, cycles.Cell[cycle][axis], center[axis]);
+            grid.MoveInside(axis, cycles.Cell[cycle][axis], center[axis], InnerMargin);
         }
       }
     });

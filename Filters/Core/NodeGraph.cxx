@@ -10,19 +10,17 @@ namespace orthoslices
 {
 namespace
 {
-/// How far inside its face the vertex of an empty arc lies, as a part of the slab's width.
-constexpr double PushFraction = 1e-3;
-
 class GraphBuilder
 {
 public:
   GraphBuilder(const Contours& contours, const SpatialGrid& grid, const Crossings& crossings,
-    const NodePoints& nodes)
+    const NodePoints& nodes, double tolerance)
     : Set(contours)
     , Grid(grid)
     , Code(grid)
     , Lattice(crossings)
     , Nodes(nodes)
+    , Tolerance(tolerance)
   {
   }
 
@@ -33,17 +31,17 @@ private:
   template <typename Visit>
   void VisitArc(Index arc, Visit&& visit) const;
   bool IsAtCrossing(Index contour, Index vertex, Index crossing) const;
-  bool NeedsPoint(Index arc) const;
-  Point3 PushedPoint(Index arc) const;
+  Point3 Displacement(Index crossing) const;
   Index CountPoints(Index arc) const;
   void WriteArc(Index arc, double* points) const;
-  void FindComponents(NodeGraph& graph) const;
+  void Fade(Index arc, double* begin, double* end) const;
 
   const Contours& Set;
   const SpatialGrid& Grid;
   GridEdgeCode Code;
   const Crossings& Lattice;
   const NodePoints& Nodes;
+  double Tolerance;
 };
 
 bool GraphBuilder::IsAtCrossing(Index contour, Index vertex, Index crossing) const
@@ -84,42 +82,24 @@ void GraphBuilder::VisitArc(Index arc, Visit&& visit) const
   }
 }
 
-bool GraphBuilder::NeedsPoint(Index arc) const
-{
-  return this->Lattice.Edge[arc] == this->Lattice.Edge[this->Lattice.Next[arc]];
-}
-
 Index GraphBuilder::CountPoints(Index arc) const
 {
   Index count = 0;
   this->VisitArc(arc, [&](Index, Index) { ++count; });
-  return count > 0 || !this->NeedsPoint(arc) ? count : 1;
+  return count;
 }
 
-/// Midway between the two nodes of an empty arc and a little into its face.
-Point3 GraphBuilder::PushedPoint(Index arc) const
+/// How far the node lies from the crossing of this contour; zero within the tolerance.
+Point3 GraphBuilder::Displacement(Index crossing) const
 {
-  const Point3 a =
-    NodePosition(this->Grid, this->Code, this->Lattice, this->Nodes, this->Nodes.NodeOf[arc]);
-  const Point3 b = NodePosition(this->Grid, this->Code, this->Lattice, this->Nodes,
-    this->Nodes.NodeOf[this->Lattice.Next[arc]]);
-  const GridEdge edge = this->Code.Decode(this->Lattice.Edge[arc]);
-  // The face lies on the side of the crossed plane to which the contour goes.
-  const int crossed =
-    this->Lattice.Family[arc] == 0 ? SecondAxis(edge.Direction) : FirstAxis(edge.Direction);
-  const Index plane = this->Lattice.Family[arc] == 0 ? edge.Second : edge.First;
-  const Index neighbour = plane + this->Lattice.Direction[arc];
-  const auto& planes = this->Grid.Planes[crossed];
-  const bool bounded = neighbour >= 0 && neighbour < this->Grid.Count(crossed);
-  const double width =
-    bounded ? std::abs(planes[neighbour] - planes[plane]) : this->Grid.MeanSpacing(crossed);
-  Point3 point;
-  for (int i = 0; i < 3; ++i)
+  Point3 displacement{ 0.0, 0.0, 0.0 };
+  const Index node = this->Nodes.NodeOf[crossing];
+  if (NodeDisagreement(this->Lattice, this->Nodes, node) > this->Tolerance)
   {
-    point[i] = a[i] + 0.5 * (b[i] - a[i]);
+    const int t = this->Code.Decode(this->Lattice.Edge[crossing]).Direction;
+    displacement[t] = this->Nodes.Position[node] - this->Lattice.Position[crossing];
   }
-  point[crossed] += this->Lattice.Direction[arc] * PushFraction * width;
-  return point;
+  return displacement;
 }
 
 void GraphBuilder::WriteArc(Index arc, double* points) const
@@ -131,10 +111,50 @@ void GraphBuilder::WriteArc(Index arc, double* points) const
       const Point3 point = this->Set.World(contour, vertex);
       out = std::copy(point.begin(), point.end(), out);
     });
-  if (out == points && this->NeedsPoint(arc))
+  this->Fade(arc, points, out);
+}
+
+double Distance(const double* a, const double* b)
+{
+  return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
+
+/// Moves the vertices of an arc by the displacements of its ends, linearly along its length.
+void GraphBuilder::Fade(Index arc, double* begin, double* end) const
+{
+  const Index last = this->Lattice.Next[arc];
+  const Point3 atStart = this->Displacement(arc);
+  const Point3 atEnd = this->Displacement(last);
+  const Point3 none{ 0.0, 0.0, 0.0 };
+  if (begin == end || (atStart == none && atEnd == none))
   {
-    const Point3 point = this->PushedPoint(arc);
-    std::copy(point.begin(), point.end(), points);
+    return;
+  }
+  const auto place = [&](Index crossing)
+  {
+    return CrossingPoint(
+      this->Grid, this->Code, this->Lattice.Edge[crossing], this->Lattice.Position[crossing]);
+  };
+  const Point3 start = place(arc);
+  const Point3 stop = place(last);
+  std::vector<double> lengths;
+  double length = 0.0;
+  const double* previous = start.data();
+  for (const double* p = begin; p != end; p += 3)
+  {
+    length += Distance(previous, p);
+    lengths.push_back(length);
+    previous = p;
+  }
+  length += Distance(previous, stop.data());
+  for (std::size_t i = 0; i < lengths.size(); ++i)
+  {
+    const double share = length > 0.0 ? lengths[i] / length : 0.5;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double& x = begin[3 * i + axis];
+      x = this->Grid.Round(x + (1.0 - share) * atStart[axis] + share * atEnd[axis]);
+    }
   }
 }
 
@@ -146,27 +166,6 @@ Index FindRoot(std::vector<Index>& parent, Index i)
     i = parent[i];
   }
   return i;
-}
-
-void GraphBuilder::FindComponents(NodeGraph& graph) const
-{
-  std::vector<Index> parent(graph.Nodes);
-  std::iota(parent.begin(), parent.end(), 0);
-  for (Index arc = 0; arc < this->Lattice.Count(); ++arc)
-  {
-    if (!this->Lattice.IsRemoved(arc))
-    {
-      const Index a = FindRoot(parent, this->Nodes.NodeOf[arc]);
-      const Index b = FindRoot(parent, this->Nodes.NodeOf[this->Lattice.Next[arc]]);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  graph.Component.resize(graph.Nodes);
-  for (Index node = 0; node < graph.Nodes; ++node)
-  {
-    const Index root = FindRoot(parent, node);
-    graph.Component[node] = root == node ? graph.Components++ : graph.Component[root];
-  }
 }
 
 NodeGraph GraphBuilder::Run(const Execution& execution)
@@ -208,14 +207,35 @@ NodeGraph GraphBuilder::Run(const Execution& execution)
         }
       }
     });
-  this->FindComponents(graph);
   return graph;
 }
 }
 
 NodeGraph BuildNodeGraph(const Contours& contours, const SpatialGrid& grid,
-  const Crossings& crossings, const NodePoints& nodes, const Execution& execution)
+  const Crossings& crossings, const NodePoints& nodes, double tolerance, const Execution& execution)
 {
-  return GraphBuilder(contours, grid, crossings, nodes).Run(execution);
+  return GraphBuilder(contours, grid, crossings, nodes, tolerance).Run(execution);
+}
+
+void FindComponents(const Crossings& crossings, const NodePoints& nodes, NodeGraph& graph)
+{
+  std::vector<Index> parent(graph.Nodes);
+  std::iota(parent.begin(), parent.end(), 0);
+  for (Index arc = 0; arc < crossings.Count(); ++arc)
+  {
+    if (!crossings.IsRemoved(arc))
+    {
+      const Index a = FindRoot(parent, nodes.NodeOf[arc]);
+      const Index b = FindRoot(parent, nodes.NodeOf[crossings.Next[arc]]);
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  graph.Component.resize(graph.Nodes);
+  graph.Components = 0;
+  for (Index node = 0; node < graph.Nodes; ++node)
+  {
+    const Index root = FindRoot(parent, node);
+    graph.Component[node] = root == node ? graph.Components++ : graph.Component[root];
+  }
 }
 }

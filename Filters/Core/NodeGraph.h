@@ -29,12 +29,16 @@ struct NodeGraph
 
 /**
  * Builds G. Contour vertices at the place of their own crossing are the node point and are not
- * repeated. An arc that has no vertex of its own and returns to the grid edge from which it started
- * (possible only where a contour runs along the edge, or after reconciliation) gets one, slightly
- * inside its face, so that no two arcs coincide.
+ * repeated. Where the two contours of a node point disagree by more than `tolerance`, the vertices of the
+ * arcs beside it move with it within their planes, less and less along the arc; elsewhere they stay as they
+ * are, bit for bit.
  */
 NodeGraph BuildNodeGraph(const Contours& contours, const SpatialGrid& grid,
-  const Crossings& crossings, const NodePoints& nodes, const Execution& execution);
+  const Crossings& crossings, const NodePoints& nodes, double tolerance,
+  const Execution& execution);
+
+/// Numbers the connected components of G.
+void FindComponents(const Crossings& crossings, const NodePoints& nodes, NodeGraph& graph);
 }
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OrientContours.h"
 
+#include "Predicates.h"
 #include "SegmentTree.h"
 
 #include <algorithm>
@@ -34,71 +35,140 @@ std::vector<Slice> GroupBySlice(const Contours& contours)
   return slices;
 }
 
-/// Side of point r against the line through p and q: 1 left, -1 right, 0 not certain.
-int CertainSide(const double p[2], const double q[2], const double r[2])
-{
-  const double left = (p[0] - r[0]) * (q[1] - r[1]);
-  const double right = (p[1] - r[1]) * (q[0] - r[0]);
-  // Shewchuk's bound for the rounding error of the 2D orientation test.
-  const double bound = 3.3306690738754716e-16 * (std::abs(left) + std::abs(right));
-  const double det = left - right;
-  return det > bound ? 1 : det < -bound ? -1 : 0;
-}
-
 class SliceOrienter
 {
 public:
-  SliceOrienter(Contours& contours, std::vector<std::uint8_t>& bad, std::vector<Problem>& problems)
+  SliceOrienter(Contours& contours, std::vector<std::uint8_t>& removed, bool keepCrossing,
+    std::vector<Problem>& problems)
     : Set(contours)
-    , Bad(bad)
+    , Removed(removed)
+    , KeepCrossing(keepCrossing)
     , Problems(problems)
   {
   }
 
-  void RemoveCrossing(const Slice& slice);
+  void RemoveCopies(const Slice& slice);
+  void FindCrossing(const Slice& slice);
   void OrientByNesting(const Slice& slice);
 
 private:
   void VisitPair(SegmentTree::Segment a, SegmentTree::Segment b);
-  void GetSegment(SegmentTree::Segment segment, double p[2], double q[2]) const;
-  bool CertainlyCross(SegmentTree::Segment a, SegmentTree::Segment b) const;
+  std::array<Point2, 2> Ends(SegmentTree::Segment segment) const;
+  bool DoCross(SegmentTree::Segment a, SegmentTree::Segment b) const;
   void Mark(Index contour, ProblemKind kind, Index vertex);
 
+  Slice Members(const Slice& slice) const;
+  Index ExtremeVertex(Index contour) const;
+  bool IsCopy(Index a, Index b) const;
+
   Contours& Set;
-  std::vector<std::uint8_t>& Bad;
+  std::vector<std::uint8_t>& Removed;
+  bool KeepCrossing;
   std::vector<Problem>& Problems;
+  std::vector<Index> Reported;
 };
 
-void SliceOrienter::GetSegment(SegmentTree::Segment segment, double p[2], double q[2]) const
+/// The contours of a slice that are not removed.
+Slice SliceOrienter::Members(const Slice& slice) const
+{
+  Slice members;
+  std::copy_if(slice.begin(), slice.end(), std::back_inserter(members),
+    [this](Index contour) { return !this->Removed[contour]; });
+  return members;
+}
+
+/// The vertex with the least u, of several the one with the least v.
+Index SliceOrienter::ExtremeVertex(Index contour) const
+{
+  Index extreme = this->Set.Offsets[contour];
+  for (Index i = extreme + 1; i < this->Set.Offsets[contour + 1]; ++i)
+  {
+    const bool less = this->Set.U[i] < this->Set.U[extreme] ||
+      (this->Set.U[i] == this->Set.U[extreme] && this->Set.V[i] < this->Set.V[extreme]);
+    extreme = less ? i : extreme;
+  }
+  return extreme;
+}
+
+/// Whether two contours pass the same vertices, from whatever start and in whichever direction.
+bool SliceOrienter::IsCopy(Index a, Index b) const
+{
+  const Index size = this->Set.Size(a);
+  if (size != this->Set.Size(b))
+  {
+    return false;
+  }
+  const Index beginA = this->Set.Offsets[a];
+  const Index beginB = this->Set.Offsets[b];
+  const Index startA = this->ExtremeVertex(a) - beginA;
+  const Index startB = this->ExtremeVertex(b) - beginB;
+  const auto same = [&](Index i, Index step)
+  {
+    const Index p = beginA + (startA + i) % size;
+    const Index q = beginB + (startB + (step > 0 ? i : size - i)) % size;
+    return this->Set.U[p] == this->Set.U[q] && this->Set.V[p] == this->Set.V[q];
+  };
+  bool forward = true, backward = true;
+  for (Index i = 0; i < size && (forward || backward); ++i)
+  {
+    forward = forward && same(i, 1);
+    backward = backward && same(i, -1);
+  }
+  return forward || backward;
+}
+
+void SliceOrienter::RemoveCopies(const Slice& slice)
+{
+  Slice order = slice;
+  std::sort(order.begin(), order.end(),
+    [this](Index a, Index b) {
+      return this->Set.Size(a) != this->Set.Size(b) ? this->Set.Size(a) < this->Set.Size(b) : a < b;
+    });
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const auto sameSize = [&](std::size_t j)
+    { return j < order.size() && this->Set.Size(order[j]) == this->Set.Size(order[i]); };
+    for (std::size_t j = i + 1; !this->Removed[order[i]] && sameSize(j); ++j)
+    {
+      if (!this->Removed[order[j]] && this->IsCopy(order[i], order[j]))
+      {
+        this->Removed[order[j]] = 1;
+      }
+    }
+  }
+}
+
+std::array<Point2, 2> SliceOrienter::Ends(SegmentTree::Segment segment) const
 {
   const Index i = segment.Vertex;
   const Index j =
     i + 1 < this->Set.Offsets[segment.Contour + 1] ? i + 1 : this->Set.Offsets[segment.Contour];
-  p[0] = this->Set.U[i];
-  p[1] = this->Set.V[i];
-  q[0] = this->Set.U[j];
-  q[1] = this->Set.V[j];
+  return { Point2{ this->Set.U[i], this->Set.V[i] }, Point2{ this->Set.U[j], this->Set.V[j] } };
 }
 
-bool SliceOrienter::CertainlyCross(SegmentTree::Segment a, SegmentTree::Segment b) const
+bool SliceOrienter::DoCross(SegmentTree::Segment a, SegmentTree::Segment b) const
 {
-  double a0[2], a1[2], b0[2], b1[2];
-  this->GetSegment(a, a0, a1);
-  this->GetSegment(b, b0, b1);
-  return CertainSide(a0, a1, b0) * CertainSide(a0, a1, b1) < 0 &&
-    CertainSide(b0, b1, a0) * CertainSide(b0, b1, a1) < 0;
+  const auto p = this->Ends(a);
+  const auto q = this->Ends(b);
+  return SideOf(p[0], p[1], q[0]) * SideOf(p[0], p[1], q[1]) < 0 &&
+    SideOf(q[0], q[1], p[0]) * SideOf(q[0], q[1], p[1]) < 0;
 }
 
 void SliceOrienter::Mark(Index contour, ProblemKind kind, Index vertex)
 {
-  this->Bad[contour] = 1;
+  this->Reported.push_back(contour);
+  this->Removed[contour] = this->KeepCrossing ? 0 : 1;
   this->Problems.push_back(
     { kind, this->Set.Axis[contour], this->Set.Cell[contour], this->Set.World(contour, vertex) });
 }
 
 void SliceOrienter::VisitPair(SegmentTree::Segment a, SegmentTree::Segment b)
 {
-  if (this->Bad[a.Contour] || this->Bad[b.Contour] || !this->CertainlyCross(a, b))
+  const auto reported = [this](Index contour)
+  {
+    return std::find(this->Reported.begin(), this->Reported.end(), contour) != this->Reported.end();
+  };
+  if (!this->DoCross(a, b) || reported(a.Contour) || reported(b.Contour))
   {
     return;
   }
@@ -113,27 +183,22 @@ void SliceOrienter::VisitPair(SegmentTree::Segment a, SegmentTree::Segment b)
   this->Mark(smaller.Contour, ProblemKind::CrossesOther, smaller.Vertex);
 }
 
-void SliceOrienter::RemoveCrossing(const Slice& slice)
+void SliceOrienter::FindCrossing(const Slice& slice)
 {
-  const SegmentTree tree(this->Set, slice);
+  const SegmentTree tree(this->Set, this->Members(slice));
   tree.VisitOverlaps(
     [this](SegmentTree::Segment a, SegmentTree::Segment b) { this->VisitPair(a, b); });
 }
 
 void SliceOrienter::OrientByNesting(const Slice& slice)
 {
-  Slice members;
-  std::copy_if(slice.begin(), slice.end(), std::back_inserter(members),
-    [this](Index contour) { return !this->Bad[contour]; });
+  const Slice members = this->Members(slice);
   const SegmentTree tree(this->Set, members.size() > 1 ? members : Slice());
   std::vector<Index> reversed;
   for (const Index contour : members)
   {
     // An extreme vertex, so that a contour that touches another one is judged where they part.
-    const Index begin = this->Set.Offsets[contour];
-    const auto u = this->Set.U.begin();
-    const Index extreme =
-      static_cast<Index>(std::min_element(u + begin, u + this->Set.Offsets[contour + 1]) - u);
+    const Index extreme = this->ExtremeVertex(contour);
     const Index depth = tree.CountAbove(this->Set.U[extreme], this->Set.V[extreme], contour);
     const bool outer = depth % 2 == 0;
     if ((TwiceSignedArea(this->Set, contour) > 0.0) != outer)
@@ -188,19 +253,20 @@ double TwiceSignedArea(const Contours& contours, Index contour)
   return area;
 }
 
-void OrientContours(Orientation orientation, const Execution& execution, Contours& contours,
-  std::vector<Problem>& problems)
+void OrientContours(Orientation orientation, bool keepCrossing, const Execution& execution,
+  Contours& contours, std::vector<Problem>& crossing)
 {
   const std::vector<Slice> slices = GroupBySlice(contours);
-  std::vector<std::uint8_t> bad(contours.Count(), 0);
+  std::vector<std::uint8_t> removed(contours.Count(), 0);
   std::vector<std::vector<Problem>> found(slices.size());
   execution.For(slices.size(),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        SliceOrienter orienter(contours, bad, found[i]);
-        orienter.RemoveCrossing(slices[i]);
+        SliceOrienter orienter(contours, removed, keepCrossing, found[i]);
+        orienter.RemoveCopies(slices[i]);
+        orienter.FindCrossing(slices[i]);
         if (orientation == Orientation::ByNesting)
         {
           orienter.OrientByNesting(slices[i]);
@@ -209,11 +275,11 @@ void OrientContours(Orientation orientation, const Execution& execution, Contour
     });
   for (const std::vector<Problem>& list : found)
   {
-    problems.insert(problems.end(), list.begin(), list.end());
+    crossing.insert(crossing.end(), list.begin(), list.end());
   }
-  if (std::any_of(bad.begin(), bad.end(), [](std::uint8_t flag) { return flag != 0; }))
+  if (std::any_of(removed.begin(), removed.end(), [](std::uint8_t flag) { return flag != 0; }))
   {
-    RemoveMarked(bad, contours);
+    RemoveMarked(removed, contours);
   }
 }
 }

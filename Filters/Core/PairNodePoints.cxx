@@ -2,18 +2,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PairNodePoints.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace orthoslices
 {
-NodePoints PairNodePoints(const Crossings& crossings, const EdgeRegister& edges)
+namespace
 {
+/// Places nodes [first, last), which lie on one edge, at least a margin apart.
+void PlaceNodes(const SpatialGrid& grid, const GridEdge& edge, const Crossings& crossings,
+  NodePoints& nodes, Index first, Index last)
+{
+  const int t = edge.Direction;
+  for (Index node = first; node < last; ++node)
+  {
+    const double low = crossings.Position[nodes.First[node]];
+    const double mean = low + 0.5 * (crossings.Position[nodes.Second[node]] - low);
+    nodes.Position.push_back(grid.MoveInside(t, edge.Slab, mean));
+  }
+  double low, high;
+  grid.GetExtent(t, edge.Slab, nodes.Position[first], nodes.Position[last - 1], low, high);
+  const double gap = std::min(grid.Margin(t, edge.Slab), (high - low) / (2.0 * (last - first + 1)));
+  for (Index node = first + 1; node < last; ++node)
+  {
+    const double least = nodes.Position[node - 1] + gap;
+    nodes.Position[node] = grid.Round(std::max(nodes.Position[node], least));
+  }
+  // What was pushed beyond the end goes back, and takes those before it along.
+  double most = edge.Slab < grid.Count(t) ? high - gap : nodes.Position[last - 1];
+  for (Index node = last - 1; node >= first && nodes.Position[node] > most; --node)
+  {
+    nodes.Position[node] = grid.Round(most);
+    most = nodes.Position[node] - gap;
+  }
+}
+}
+
+NodePoints PairNodePoints(
+  const SpatialGrid& grid, const Crossings& crossings, const EdgeRegister& edges)
+{
+  const GridEdgeCode code(grid);
   NodePoints nodes;
   nodes.NodeOf.assign(crossings.Count(), Crossings::None);
-  nodes.First.reserve(crossings.Count() / 2);
-  nodes.Second.reserve(crossings.Count() / 2);
+  for (std::vector<Index>* side : { &nodes.First, &nodes.Second })
+  {
+    side->reserve(crossings.Count() / 2);
+  }
+  nodes.Position.reserve(crossings.Count() / 2);
   for (Index edge = 0; edge < edges.Count(); ++edge)
   {
+    const Index first = nodes.Count();
     for (Index i = edges.Offsets[edge]; i < edges.Offsets[edge + 1]; ++i)
     {
       const Index crossing = edges.Crossing[i];
@@ -24,6 +62,11 @@ NodePoints PairNodePoints(const Crossings& crossings, const EdgeRegister& edges)
         side.push_back(crossing);
       }
     }
+    if (first < nodes.Count())
+    {
+      PlaceNodes(grid, code.Decode(crossings.Edge[nodes.First[first]]), crossings, nodes, first,
+        nodes.Count());
+    }
   }
   return nodes;
 }
@@ -31,10 +74,7 @@ NodePoints PairNodePoints(const Crossings& crossings, const EdgeRegister& edges)
 Point3 NodePosition(const SpatialGrid& grid, const GridEdgeCode& code, const Crossings& crossings,
   const NodePoints& nodes, Index node)
 {
-  const Index a = nodes.First[node];
-  const Index b = nodes.Second[node];
-  const double low = crossings.Position[a];
-  return CrossingPoint(grid, code, crossings.Edge[a], low + 0.5 * (crossings.Position[b] - low));
+  return CrossingPoint(grid, code, crossings.Edge[nodes.First[node]], nodes.Position[node]);
 }
 
 double NodeDisagreement(const Crossings& crossings, const NodePoints& nodes, Index node)

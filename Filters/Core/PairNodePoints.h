@@ -15,6 +15,7 @@ namespace orthoslices
 struct NodePoints
 {
   std::vector<Index> First, Second;
+  std::vector<double> Position; ///< along the edge
   std::vector<Index> NodeOf;
 
   Index Count() const { return static_cast<Index>(this->First.size()); }
@@ -28,12 +29,15 @@ struct NodePoints
 };
 
 /**
- * Pairs the crossings of the two families on every edge in their order along it.
+ * Pairs the crossings of the two families on every edge in their order along it. A node lies at the mean of its
+ * two crossings. Nodes keep the grid's Margin from the ends of their edge and from each other, less where
+ * there are too many of them, so that no two nodes coincide; they are numbered upwards along each edge.
  * REQUIRES: reconciled slices (as many crossings of both families on an edge, with the same signs).
  */
-NodePoints PairNodePoints(const Crossings& crossings, const EdgeRegister& edges);
+NodePoints PairNodePoints(
+  const SpatialGrid& grid, const Crossings& crossings, const EdgeRegister& edges);
 
-/// Mean of the two crossings of a node point, on its edge of M.
+/// World coordinates of a node point.
 Point3 NodePosition(const SpatialGrid& grid, const GridEdgeCode& code, const Crossings& crossings,
   const NodePoints& nodes, Index node);
 

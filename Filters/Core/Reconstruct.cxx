@@ -98,23 +98,25 @@ Reconstruction Reconstruct(
   Contours contours;
   for (Pieces& set : pieces)
   {
-    AssembleContours(std::move(set), tolerance, contours, result.Problems);
+    AssembleContours(std::move(set), tolerance, contours, result.Invalid);
   }
   if (!GoOn(execution, result, 0.15))
   {
     return result;
   }
-  result.Grid = BuildSpatialGrid(contours, tolerance);
+  result.Grid = BuildSpatialGrid(contours, tolerance, options.SinglePrecision);
   const Index assembled = contours.Count();
-  OrientContours(options.Orient, execution, contours, result.Problems);
+  OrientContours(options.Orient, options.Crossing == CrossingContours::Repair, execution, contours,
+    result.Crossing);
   if (contours.Count() < assembled)
   {
     // A plane whose contours were all removed says nothing: it must not count as empty.
-    result.Grid = BuildSpatialGrid(contours, tolerance);
+    result.Grid = BuildSpatialGrid(contours, tolerance, options.SinglePrecision);
   }
   CountContours(contours, result);
-  const bool refused = options.RefuseProblems && !result.Problems.empty();
-  if (refused || !GoOn(execution, result, 0.35))
+  result.Refused = (options.RefuseInvalid && !result.Invalid.empty()) ||
+    (options.Crossing == CrossingContours::Refuse && !result.Crossing.empty());
+  if (result.Refused || !GoOn(execution, result, 0.35))
   {
     return result;
   }
@@ -126,21 +128,26 @@ Reconstruction Reconstruct(
     return result;
   }
   result.Reconciled = ReconcileSlices(result.Grid, result.Lattice, edges, isolated);
-  result.Nodes = PairNodePoints(result.Lattice, edges);
+  result.Nodes = PairNodePoints(result.Grid, result.Lattice, edges);
   edges = EdgeRegister();
-  result.Graph = BuildNodeGraph(contours, result.Grid, result.Lattice, result.Nodes, execution);
+  result.Graph =
+    BuildNodeGraph(contours, result.Grid, result.Lattice, result.Nodes, tolerance, execution);
   const std::vector<double> normals =
     ComputeNodeNormals(contours, result.Grid, result.Lattice, result.Nodes, execution);
   result.Isolated = CopyIsolated(isolated, contours, result.Lattice);
+  result.Redrawn = EmbedArcs(result.Grid, result.Nodes, execution, result.Lattice, result.Graph);
+  FindComponents(result.Lattice, result.Nodes, result.Graph);
   contours = Contours();
   if (!GoOn(execution, result, 0.65))
   {
     return result;
   }
   result.Polygons = TraceCycles(result.Grid, result.Lattice, result.Nodes);
-  result.CentralPoints = LocateCentralPoints(options.Central, result.Grid, result.Graph,
+  result.Surface.CentralPoints = LocateCentralPoints(options.Central, result.Grid, result.Graph,
     result.Lattice, result.Nodes, normals, result.Polygons, execution);
-  result.Triangles = LayOutTriangles(result.Graph, result.Polygons);
+  result.Surface.Shells = SeparatePatches(result.Grid, result.Graph, result.Lattice, result.Nodes,
+    result.Polygons, result.Surface.CentralPoints, execution);
+  LayOutTriangles(result.Graph, result.Polygons, result.Surface);
   GoOn(execution, result, 0.8);
   return result;
 }

@@ -4,6 +4,7 @@
 #define OrthoSlicesReconstruct_h
 
 #include "CentralPoint.h"
+#include "EmbedArcs.h"
 #include "NodeGraph.h"
 #include "OrientContours.h"
 #include "ReconcileSlices.h"
@@ -14,49 +15,21 @@
 
 namespace orthoslices
 {
-/**
- * Surface reconstruction from orthogonal slices after R. Svitak and V. Skala, "Robust Surface
- * Reconstruction from Orthogonal Slices" (2004). The stages, in the order in which the data flow:
- *
- *   AssembleContours    pieces of polylines -> closed contours on planes         (section 3)
- *   BuildSpatialGrid    planes of all contours -> spatial grid M                 (section 4)
- *   OrientContours      interior on the left                                     (section 3)
- *   RegisterCrossings   contours cut by the lattice, filed on the edges of M     (section 4.2)
- *   ReconcileSlices     contradictions between the slices removed                (our own)
- *   PairNodePoints      crossings on one edge -> node points                     (section 4.2)
- *   BuildNodeGraph      node points and arcs: graph G, components                (section 4.1)
- *   TraceCycles         cycles of G in each cell: spatial polygons               (section 4.3)
- *   LocateCentralPoints central point of each polygon                            (section 5)
- *   Quadrilaterals      one for each node point of a polygon                     (section 5)
- *   Triangles           fans in the quadrilaterals                               (section 5)
- *
- * Guarantees, for every input that is not refused:
- *   G1  Closed: every edge of the surface has exactly two triangles.
- *   G2  2-manifold: the triangles around every vertex form one disc.
- *   G3  Oriented: the two triangles at an edge run through it in opposite directions, and outside
- *       is where the contours have it (on their right, seen from the positive end of the axis).
- *   G4  Contours are kept: every vertex of every contour that has a node point is a vertex of the
- *       surface, on its plane; one that lies on a grid edge may move along it by half the
- *       disagreement of the two slices there. Excepted are parts without a node point: isolated
- *       contours, which are listed, and what ReconcileSlices cuts off where slices contradict each
- *       other, which is listed if it has three vertices or more.
- *   G5  Deterministic: the result does not depend on the number of threads, and slices that agree
- *       are not changed by ReconcileSlices.
- *
- * Why G1 to G3 hold: after ReconcileSlices the two slices at an edge of M have the same crossings
- * with the same signs. A node point therefore has one arc in each of the four faces around its
- * edge, and each of the four cells there has two of them, one incoming and one outgoing in the
- * direction of its cycle. So "the next arc in the same cell" is a permutation of all half-arcs; its
- * orbits are closed cycles, every arc is passed once forward (above its slice) and once backward
- * (below), and no cycle passes a node or an arc twice. The fan of a cycle of three or more points
- * is a disc; two discs share arcs only, and around a node four discs close up in a ring.
- * NodeGraph.h tells why no two arcs are the same edge.
- */
+/// What happens to contours that cross themselves or another one of their slice.
+enum class CrossingContours
+{
+  Repair,  ///< kept; EmbedArcs draws and connects their arcs anew where they cross
+  Refuse,  ///< no surface if there are any
+  LeaveOut ///< removed
+};
+
 struct Options
 {
   double PlaneTolerance = 1e-5; ///< as a fraction of the diagonal of all contours
   Orientation Orient = Orientation::ByNesting;
-  bool RefuseProblems = true; ///< no surface if there is any Problem
+  bool RefuseInvalid = true; ///< no surface if a contour is open, off its plane or not finite
+  CrossingContours Crossing = CrossingContours::Repair;
+  bool SinglePrecision = false; ///< the result will be stored as float
   CentralPointMethod Central = CentralPointMethod::LeastSquares;
 };
 
@@ -73,8 +46,9 @@ struct IsolatedContours
 
 struct Reconstruction
 {
-  /// Unusable contours; with Options::RefuseProblems nothing else is set if there are any.
-  std::vector<Problem> Problems;
+  std::vector<Problem> Invalid;  ///< open, off their plane or not finite: left out
+  std::vector<Problem> Crossing; ///< contours that cross themselves or others
+  bool Refused = false;          ///< because of these, see Options; nothing else is set then
   std::array<Index, 3> ContourCount{ 0, 0, 0 }; ///< usable contours of each axis
   bool Stopped = false;                         ///< Execution::Continue returned false
 
@@ -84,13 +58,62 @@ struct Reconstruction
   NodeGraph Graph;
   IsolatedContours Isolated;
   Cycles Polygons;
-  std::vector<double> CentralPoints;
-  TriangleLayout Triangles;
+  Patches Surface;
   Reconciliation Reconciled;
+  std::vector<RedrawnFace> Redrawn;
 };
 
-/// Runs all stages up to the layout of the triangles; WriteTriangles gives the triangles
-/// themselves.
+/**
+ * Surface reconstruction from orthogonal slices after R. Svitak and V. Skala, "Robust Surface
+ * Reconstruction from Orthogonal Slices" (2004). The stages, in the order in which the data flow:
+ *
+ *   AssembleContours    pieces of polylines -> closed contours on planes         (section 3)
+ *   BuildSpatialGrid    planes of all contours -> spatial grid M                 (section 4)
+ *   OrientContours      interior on the left                                     (section 3)
+ *   RegisterCrossings   contours cut by the lattice, filed on the edges of M     (section 4.2)
+ *   ReconcileSlices     contradictions between the slices removed                (our own)
+ *   PairNodePoints      crossings on one edge -> node points                     (section 4.2)
+ *   BuildNodeGraph      node points and arcs: graph G, components                (section 4.1)
+ *   EmbedArcs           arcs that cross on a face of M are drawn anew            (our own)
+ *   TraceCycles         cycles of G in each cell: spatial polygons               (section 4.3)
+ *   LocateCentralPoints central point of each polygon                            (section 5)
+ *   SeparatePatches     patches that cross within a cell become shells           (our own)
+ *   Quadrilaterals      one for each node point of a polygon                     (section 5)
+ *   Triangles           fans in the quadrilaterals                               (section 5)
+ *
+ * Guarantees, for every input that is not refused:
+ *   G1  Closed: every edge of the surface has exactly two triangles.
+ *   G2  2-manifold: the triangles around every vertex form one disc.
+ *   G3  Oriented: the two triangles at an edge run through it in opposite directions, and outside
+ *       is where the contours have it (on their right, seen from the positive end of the axis).
+ *   G4  Contours are kept: where the slices agree and contours do not cross, every vertex of every contour
+ *       with a node point is a vertex of the surface, on its plane; one that lies on a grid edge
+ *       may move along it by half the disagreement of the two slices there. Where slices
+ *       contradict each other by more than the tolerance, vertices move with the node points beside
+ *       them, within their planes. Parts without a node point take no part in the surface: isolated
+ *       contours, which are listed, and what ReconcileSlices cuts off, which is listed if it has
+ *       three vertices or more.
+ *   G5  Deterministic: the result does not depend on the number of threads, and slices that agree
+ *       are not changed by ReconcileSlices.
+ *   G6  Embedded: no two triangles meet but in their common edge or vertex.
+ *
+ * Why G1 to G3 hold: after ReconcileSlices the two slices at an edge of M have the same crossings
+ * with the same signs. A node point therefore has one arc in each of the four faces around its
+ * edge, and each of the four cells there has two of them, one incoming and one outgoing in the
+ * direction of its cycle. So "the next arc in the same cell" is a permutation of all half-arcs; its
+ * orbits are closed cycles, every arc is passed once forward (above its slice) and once backward
+ * (below), and no cycle passes a node or an arc twice. The fan of a cycle of three or more points
+ * is a disc; two discs share arcs only, and around a node four discs close up in a ring.
+ *
+ * Why G6 holds: PairNodePoints keeps nodes apart and off the ends of their edges, EmbedArcs keeps arcs apart
+ * and off the border of their faces, and patches touch the boundary of their cell in their cycle
+ * only. So patches of different cells meet in shared arcs only. A cell is convex: the fan of a
+ * cycle around a point strictly inside cannot touch itself. Several patches of one cell are kept
+ * apart by SeparatePatches. (Where planes lie only a few dozen steps of the precision apart, rounding may
+ * make points coincide.)
+ *
+ * Runs all stages up to the layout of the triangles; WriteTriangles gives the triangles themselves.
+ */
 Reconstruction Reconstruct(
   std::array<Pieces, 3>&& pieces, const Options& options, const Execution& execution);
 }

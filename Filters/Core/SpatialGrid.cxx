@@ -2,10 +2,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SpatialGrid.h"
 
-#include <numeric>
+#include <cmath>
+#include <limits>
 
 namespace orthoslices
 {
+double SpatialGrid::Margin(int axis, Index slab) const
+{
+  constexpr double share = 1e-6;
+  const auto& planes = this->Planes[axis];
+  const bool bounded = slab > 0 && slab < this->Count(axis);
+  const double width = bounded ? planes[slab] - planes[slab - 1] : this->MeanSpacing(axis);
+  const double margin = std::max(share * width, 4.0 * this->Step[axis]);
+  return bounded ? std::min(margin, 0.125 * width) : margin;
+}
+
+double SpatialGrid::MoveInside(int axis, Index slab, double coordinate, double share) const
+{
+  const auto& planes = this->Planes[axis];
+  const bool below = slab > 0;
+  const bool above = slab < this->Count(axis);
+  const double width = below && above ? planes[slab] - planes[slab - 1] : this->MeanSpacing(axis);
+  const double margin = std::max(this->Margin(axis, slab), share * width);
+  coordinate = below ? std::max(coordinate, planes[slab - 1] + margin) : coordinate;
+  coordinate = above ? std::min(coordinate, planes[slab] - margin) : coordinate;
+  return this->Round(coordinate);
+}
+
+void SpatialGrid::GetExtent(
+  int axis, Index slab, double least, double most, double& low, double& high) const
+{
+  const auto& planes = this->Planes[axis];
+  double beyond = std::max(this->MeanSpacing(axis), most - least);
+  if (!(beyond > 0.0))
+  {
+    beyond = std::max(std::abs(most), 1.0);
+  }
+  low = slab > 0 ? planes[slab - 1] : this->Round(least - beyond);
+  high = slab < this->Count(axis) ? planes[slab] : this->Round(most + beyond);
+}
+
 GridEdgeCode::GridEdgeCode(const SpatialGrid& grid)
 {
   std::uint64_t base = 0;
@@ -35,9 +71,9 @@ namespace
 {
 /// Contours [first, last) of the sorted list become one plane.
 void MergePlane(Contours& contours, const std::vector<Index>& order, std::size_t first,
-  std::size_t last, std::vector<double>& planes)
+  std::size_t last, std::vector<double>& planes, const SpatialGrid& grid)
 {
-  const double coordinate = contours.Coordinate[order[first + (last - first) / 2]];
+  const double coordinate = grid.Round(contours.Coordinate[order[first + (last - first) / 2]]);
   for (std::size_t i = first; i < last; ++i)
   {
     contours.Coordinate[order[i]] = coordinate;
@@ -47,9 +83,40 @@ void MergePlane(Contours& contours, const std::vector<Index>& order, std::size_t
 }
 }
 
-SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance)
+namespace
+{
+/// Sets the steps of the precision from the coordinates of all contours.
+void FindSteps(const Contours& contours, SpatialGrid& grid)
+{
+  Point3 largest{ 0.0, 0.0, 0.0 };
+  for (Index i = 0; i < contours.Count(); ++i)
+  {
+    const int axis = contours.Axis[i];
+    largest[axis] = std::max(largest[axis], std::abs(contours.Coordinate[i]));
+    const auto extend = [&](double& most, const std::vector<double>& values)
+    {
+      for (Index v = contours.Offsets[i]; v < contours.Offsets[i + 1]; ++v)
+      {
+        most = std::max(most, std::abs(values[v]));
+      }
+    };
+    extend(largest[FirstAxis(axis)], contours.U);
+    extend(largest[SecondAxis(axis)], contours.V);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    grid.Step[axis] = largest[axis] *
+      (grid.SinglePrecision ? std::numeric_limits<float>::epsilon()
+                            : std::numeric_limits<double>::epsilon());
+  }
+}
+}
+
+SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePrecision)
 {
   SpatialGrid grid;
+  grid.SinglePrecision = singlePrecision;
+  FindSteps(contours, grid);
   contours.Plane.assign(contours.Count(), 0);
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -63,13 +130,14 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance)
     }
     std::stable_sort(order.begin(), order.end(),
       [&](Index a, Index b) { return contours.Coordinate[a] < contours.Coordinate[b]; });
+    const double reach = std::max(tolerance, 64.0 * grid.Step[axis]);
     std::size_t first = 0;
     for (std::size_t i = 1; i <= order.size(); ++i)
     {
       if (i == order.size() ||
-        contours.Coordinate[order[i]] - contours.Coordinate[order[first]] > tolerance)
+        contours.Coordinate[order[i]] - contours.Coordinate[order[first]] > reach)
       {
-        MergePlane(contours, order, first, i, grid.Planes[axis]);
+        MergePlane(contours, order, first, i, grid.Planes[axis], grid);
         first = i;
       }
     }

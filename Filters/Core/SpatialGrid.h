@@ -24,6 +24,10 @@ namespace orthoslices
 struct SpatialGrid
 {
   std::array<std::vector<double>, 3> Planes;
+  /// All coordinates of the result, planes included, are values of float.
+  bool SinglePrecision = false;
+  /// Distance of neighbouring numbers of the precision at the largest coordinate of each axis.
+  Point3 Step{ 0.0, 0.0, 0.0 };
 
   Index Count(int axis) const { return static_cast<Index>(this->Planes[axis].size()); }
 
@@ -49,6 +53,26 @@ struct SpatialGrid
     }
     return coordinate;
   }
+
+  /// A coordinate as it will be in the result.
+  double Round(double x) const { return this->SinglePrecision ? static_cast<float>(x) : x; }
+
+  /// Distance that points inside a cell or on one of its edges keep from the ends of the slab.
+  double Margin(int axis, Index slab) const;
+
+  /// Whether a coordinate lies strictly inside the slab.
+  bool IsInside(int axis, Index slab, double coordinate) const
+  {
+    const auto& planes = this->Planes[axis];
+    return (slab == 0 || planes[slab - 1] < coordinate) &&
+      (slab == this->Count(axis) || coordinate < planes[slab]);
+  }
+
+  /// Moves a coordinate into the slab, `share` of its width (at least the Margin) away from its ends.
+  double MoveInside(int axis, Index slab, double coordinate, double share = 0.0) const;
+
+  /// The ends of a slab; an unbounded one ends one mean spacing beyond the range [least, most].
+  void GetExtent(int axis, Index slab, double least, double most, double& low, double& high) const;
 
   /// Mean distance of consecutive planes; 0 for fewer than two planes.
   double MeanSpacing(int axis) const
@@ -89,11 +113,11 @@ private:
 };
 
 /**
- * Finds the planes of all contours and sets Contours::Plane. Planes closer than `tolerance` to the
- * first of a group become one at the median coordinate of the group's contours; the contours move
- * onto it.
+ * Finds the planes of all contours and sets Contours::Plane. Planes closer than `tolerance`, or than a
+ * few dozen steps of the precision, to the first of a group become one at the median coordinate of the
+ * group's contours; the contours move onto it.
  */
-SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance);
+SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePrecision = false);
 }
 
 #endif

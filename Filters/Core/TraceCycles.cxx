@@ -88,24 +88,32 @@ void GetBoundary(const NodeGraph& graph, const Crossings& crossings, const NodeP
   }
 }
 
-Index CountCellsWithSeveralCycles(const SpatialGrid& grid, const Cycles& cycles)
+CellGroups GroupByCell(const SpatialGrid& grid, const Cycles& cycles)
 {
-  std::vector<std::uint64_t> cells(cycles.Count());
-  std::transform(cycles.Cell.begin(), cycles.Cell.end(), cells.begin(),
-    [&](const auto& cell)
-    {
-      return (static_cast<std::uint64_t>(cell[0]) * (grid.Count(1) + 1) + cell[1]) *
-        (grid.Count(2) + 1) +
-        cell[2];
-    });
-  std::sort(cells.begin(), cells.end());
-  Index several = 0;
-  for (std::size_t i = 1; i < cells.size(); ++i)
+  std::vector<std::pair<std::uint64_t, Index>> cells(cycles.Count());
+  for (Index i = 0; i < cycles.Count(); ++i)
   {
-    const bool second = cells[i] == cells[i - 1] && (i == 1 || cells[i] != cells[i - 2]);
-    several += second ? 1 : 0;
+    const auto& cell = cycles.Cell[i];
+    const std::uint64_t code =
+      (static_cast<std::uint64_t>(cell[0]) * (grid.Count(1) + 1) + cell[1]) * (grid.Count(2) + 1) +
+      cell[2];
+    cells[i] = { code, i };
   }
-  return several;
+  std::sort(cells.begin(), cells.end());
+  CellGroups groups;
+  groups.Cycles.reserve(cells.size());
+  Index first = 0;
+  for (Index i = 0; i < cycles.Count(); ++i)
+  {
+    groups.Cycles.push_back(cells[i].second);
+    first = i > 0 && cells[i].first == cells[i - 1].first ? first : i;
+    const bool last = i + 1 == cycles.Count() || cells[i + 1].first != cells[i].first;
+    if (last && i > first)
+    {
+      groups.Several.emplace_back(first, i + 1);
+    }
+  }
+  return groups;
 }
 
 std::vector<Index> CountPolygonSizes(const Cycles& cycles)

@@ -51,8 +51,14 @@ inline Index StartNode(const Crossings& crossings, const NodePoints& nodes, cons
 void GetBoundary(const NodeGraph& graph, const Crossings& crossings, const NodePoints& nodes,
   const Cycles& cycles, Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces);
 
-/// Number of cells of M that have two or more cycles.
-Index CountCellsWithSeveralCycles(const SpatialGrid& grid, const Cycles& cycles);
+/// Cycles ordered by cell, and the range of each cell that has two or more of them.
+struct CellGroups
+{
+  std::vector<Index> Cycles;
+  std::vector<std::pair<Index, Index>> Several;
+};
+
+CellGroups GroupByCell(const SpatialGrid& grid, const Cycles& cycles);
 
 /// Entry i counts the cycles with i node points (the paper's Figure 8).
 std::vector<Index> CountPolygonSizes(const Cycles& cycles);

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Predicates.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+namespace
+{
+/// Adds a number to a sum of numbers that do not overlap, without rounding (Shewchuk's expansion).
+void AddExactly(double x, std::array<double, 12>& sum, int& count)
+{
+  int kept = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const double total = x + sum[i];
+    const double part = total - x;
+    const double error = (x - (total - part)) + (sum[i] - part);
+    if (error != 0.0)
+    {
+      sum[kept++] = error;
+    }
+    x = total;
+  }
+  sum[kept++] = x;
+  count = kept;
+}
+}
+
+int ExactSideOf(const Point2& p, const Point2& q, const Point2& r)
+{
+  // The determinant multiplied out, so that no difference is rounded.
+  const double factors[6][2] = { { p[0], q[1] }, { -p[0], r[1] }, { -r[0], q[1] }, { -p[1], q[0] },
+    { p[1], r[0] }, { r[1], q[0] } };
+  std::array<double, 12> sum{};
+  int count = 0;
+  for (const auto& factor : factors)
+  {
+    const double product = factor[0] * factor[1];
+    AddExactly(std::fma(factor[0], factor[1], -product), sum, count);
+    AddExactly(product, sum, count);
+  }
+  const double largest = sum[count - 1];
+  return largest > 0.0 ? 1 : largest < 0.0 ? -1 : 0;
+}
+
+int CertainSide(const Point3& a, const Point3& b, const Point3& c, const Point3& d)
+{
+  Point3 ad, bd, cd;
+  for (int i = 0; i < 3; ++i)
+  {
+    ad[i] = a[i] - d[i];
+    bd[i] = b[i] - d[i];
+    cd[i] = c[i] - d[i];
+  }
+  const double p1 = bd[0] * cd[1], p2 = cd[0] * bd[1];
+  const double p3 = cd[0] * ad[1], p4 = ad[0] * cd[1];
+  const double p5 = ad[0] * bd[1], p6 = bd[0] * ad[1];
+  const double det = ad[2] * (p1 - p2) + bd[2] * (p3 - p4) + cd[2] * (p5 - p6);
+  const double permanent = std::abs(ad[2]) * (std::abs(p1) + std::abs(p2)) +
+    std::abs(bd[2]) * (std::abs(p3) + std::abs(p4)) +
+    std::abs(cd[2]) * (std::abs(p5) + std::abs(p6));
+  const double bound = 7.7715611723761027e-16 * permanent;
+  // The determinant is positive when a, b, c run clockwise seen from d.
+  return det > bound ? -1 : det < -bound ? 1 : 0;
+}
+
+namespace
+{
+/// Whether segment pq certainly does not meet triangle t.
+bool CertainlyMisses(const Point3& p, const Point3& q, const std::array<Point3, 3>& t)
+{
+  if (CertainSide(t[0], t[1], t[2], p) * CertainSide(t[0], t[1], t[2], q) > 0)
+  {
+    return true;
+  }
+  // The line through p and q passes all edges of a triangle that it meets on the same side.
+  int left = 0, right = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const int side = CertainSide(p, q, t[i], t[(i + 1) % 3]);
+    left += side > 0;
+    right += side < 0;
+  }
+  return left > 0 && right > 0;
+}
+
+bool BoxesApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto a = std::minmax({ s[0][i], s[1][i], s[2][i] });
+    const auto b = std::minmax({ t[0][i], t[1][i], t[2][i] });
+    if (a.second < b.first || b.second < a.first)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool HasNoFold(const PolylineSegment& first, const PolylineSegment& second)
+{
+  // Consecutive segments meet in one point unless the second runs back along the first.
+  const double dot = (first.End[0] - first.Start[0]) * (second.End[0] - second.Start[0]) +
+    (first.End[1] - first.Start[1]) * (second.End[1] - second.Start[1]);
+  return dot > 0.0 || SideOf(first.Start, first.End, second.End) != 0;
+}
+
+bool AreCompatible(const PolylineSegment& a, const PolylineSegment& b)
+{
+  if (a.Polyline == b.Polyline && a.Place + 1 == b.Place)
+  {
+    return HasNoFold(a, b);
+  }
+  if (a.Polyline == b.Polyline && b.Place + 1 == a.Place)
+  {
+    return HasNoFold(b, a);
+  }
+  return AreApart(a.Start, a.End, b.Start, b.End);
+}
+}
+
+bool CertainlyApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
+{
+  if (BoxesApart(s, t))
+  {
+    return true;
+  }
+  // Triangles that meet have an edge of one that meets the other.
+  for (int i = 0; i < 3; ++i)
+  {
+    if (!CertainlyMisses(s[i], s[(i + 1) % 3], t) || !CertainlyMisses(t[i], t[(i + 1) % 3], s))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool AreSimple(std::vector<PolylineSegment>& segments)
+{
+  const auto low = [](const PolylineSegment& s, int i) { return std::min(s.Start[i], s.End[i]); };
+  const auto high = [](const PolylineSegment& s, int i) { return std::max(s.Start[i], s.End[i]); };
+  std::sort(segments.begin(), segments.end(),
+    [&](const PolylineSegment& a, const PolylineSegment& b) { return low(a, 0) < low(b, 0); });
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const PolylineSegment& a = segments[i];
+    for (std::size_t j = i + 1; j < segments.size() && low(segments[j], 0) <= high(a, 0); ++j)
+    {
+      const PolylineSegment& b = segments[j];
+      const bool overlap = low(b, 1) <= high(a, 1) && low(a, 1) <= high(b, 1);
+      if (overlap && !AreCompatible(a, b))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+}

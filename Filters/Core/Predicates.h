@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesPredicates_h
+#define OrthoSlicesPredicates_h
+
+#include "Types.h"
+
+#include <cmath>
+
+/**
+ * Geometric predicates. Those in the plane are exact. Those in space say when they are not certain, and
+ * their users are conservative: what is not certainly apart is drawn in another way. So rounding
+ * can cost a little accuracy in rare places, never a guarantee.
+ * The error bounds are those of J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and
+ * Fast Robust Geometric Predicates" (1997).
+ */
+namespace orthoslices
+{
+using Point2 = std::array<double, 2>;
+
+/// The sign of SideOf in exact arithmetic, for the rare case that rounding could change it.
+int ExactSideOf(const Point2& p, const Point2& q, const Point2& r);
+
+/// Side of r against the line from p to q: 1 left, -1 right, 0 on the line. Exact.
+inline int SideOf(const Point2& p, const Point2& q, const Point2& r)
+{
+  const double left = (p[0] - r[0]) * (q[1] - r[1]);
+  const double right = (p[1] - r[1]) * (q[0] - r[0]);
+  const double bound = 3.3306690738754716e-16 * (std::abs(left) + std::abs(right));
+  const double det = left - right;
+  return det > bound ? 1 : det < -bound ? -1 : ExactSideOf(p, q, r);
+}
+
+/// Whether the closed segments ab and cd have no point in common, exactly.
+inline bool AreApart(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
+{
+  return SideOf(a, b, c) * SideOf(a, b, d) > 0 || SideOf(c, d, a) * SideOf(c, d, b) > 0;
+}
+
+/// Side of d against the plane of abc: 1 if a, b, c run counter-clockwise seen from d, -1, 0 not certain.
+int CertainSide(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+
+/// Whether two closed triangles certainly have no point in common.
+bool CertainlyApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t);
+
+/// A segment of a polyline: Place counts the segments along it.
+struct PolylineSegment
+{
+  Point2 Start, End;
+  Index Polyline;
+  Index Place;
+};
+
+/**
+ * Whether the polylines of the segments touch neither themselves nor each other, except that
+ * consecutive segments of one polyline share a point. Reorders the segments.
+ */
+bool AreSimple(std::vector<PolylineSegment>& segments);
+}
+
+#endif
