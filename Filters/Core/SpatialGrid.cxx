@@ -13,7 +13,7 @@ double SpatialGrid::Margin(int axis, Index slab) const
   const auto& planes = this->Planes[axis];
   const bool bounded = slab > 0 && slab < this->Count(axis);
   const double width = bounded ? planes[slab] - planes[slab - 1] : this->MeanSpacing(axis);
-  const double margin = std::max(share * width, 4.0 * this->Step[axis]);
+  const double margin = std::max(share * width, 16.0 * this->Step[axis]);
   return bounded ? std::min(margin, 0.125 * width) : margin;
 }
 
@@ -130,7 +130,7 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
     }
     std::stable_sort(order.begin(), order.end(),
       [&](Index a, Index b) { return contours.Coordinate[a] < contours.Coordinate[b]; });
-    const double reach = std::max(tolerance, 64.0 * grid.Step[axis]);
+    const double reach = std::max(tolerance, 256.0 * grid.Step[axis]);
     std::size_t first = 0;
     for (std::size_t i = 1; i <= order.size(); ++i)
     {
