@@ -36,9 +36,8 @@ void Measure(const Task& task, std::int64_t samples, Outcome& outcome)
     return;
   }
   row.Figures = deviation->ScaledBy(1.0 / task.Spacing);
-  const support::Topology truth = support::MeasureTopology(task.Truth);
-  row.IsTopologyRight = row.Shape.IsClosedManifold() && row.Shape.Components == truth.Components &&
-    row.Shape.Genus == truth.Genus;
+  row.IsTopologyRight = row.Shape.IsClosedManifold() &&
+    row.Shape.Components == task.TruthShape.Components && row.Shape.Genus == task.TruthShape.Genus;
 }
 
 //------------------------------------------------------------------------------
@@ -232,7 +231,12 @@ Comparison ComparisonFromName(const std::string& name)
 //------------------------------------------------------------------------------
 Task MakeTask(const std::string& folder, const std::string& name, Comparison kind, int number)
 {
-  Task task{ name, kind, number, ReadTruth(folder, name), {}, {}, 0.0 };
+  Task task;
+  task.CaseName = name;
+  task.Kind = kind;
+  task.Number = number;
+  task.Truth = ReadTruth(folder, name);
+  task.TruthShape = support::MeasureTopology(task.Truth);
   switch (kind)
   {
     case Comparison::SamePlanes:

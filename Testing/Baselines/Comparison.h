@@ -44,6 +44,7 @@ struct Task
   Comparison Kind = Comparison::SamePlanes;
   int Number = 32;
   vtkSmartPointer<vtkPolyData> Truth;
+  support::Topology TruthShape;
   SliceSets Orthogonal; ///< for methods that use three families
   SliceSets Parallel;   ///< for methods that use the z-slices only
   double Spacing = 0.0; ///< h of the orthogonal slices

@@ -12,7 +12,7 @@
  * is infinite: there the field of that slice alone is left, so the contours of all families lie on
  * the surface wherever they agree.
  *
- * Neither g nor its power is in the literature; they more than halve the error of plain weights
+ * Neither g nor its power is in the literature; they nearly halve the error of plain weights
  * 1 / d^2, so that the comparison is with the best that could be made of the idea.
  */
 
@@ -29,8 +29,11 @@ namespace baselines
 class DistanceInterpolationThreeFamilies : public Baseline
 {
 public:
-  /// PARTS: samples per interval between two slices; see `CompareMethods --sweep`.
-  explicit DistanceInterpolationThreeFamilies(int parts = 8);
+  /**
+   * PARTS: samples per interval between two slices. At 6, the default, the RMS error is within one
+   * per cent of its limit (`CompareMethods --sweep`, five shapes at 32 planes per axis).
+   */
+  explicit DistanceInterpolationThreeFamilies(int parts = 6);
 
   std::string Name() const override { return "volume-xyz"; }
   std::string Description() const override;

@@ -333,7 +333,7 @@ vtkSmartPointer<vtkPolyData> NaiveRuledSurface::Reconstruct(const SliceSets& sli
   vtkNew<vtkRuledSurfaceFilter> filter;
   filter->SetInputData(slices.Families[2]);
   filter->SetRuledModeToResample();
-  filter->SetResolution(200, 1);
+  filter->SetResolution(50, 1);
   filter->OrientLoopsOff();
   filter->Update();
   return filter->GetOutput();

@@ -41,8 +41,8 @@ namespace
 using Surface = vtkSmartPointer<vtkPolyData>;
 
 //------------------------------------------------------------------------------
-// A regular polygon. Counter-clockwise if the radius is positive, clockwise with that radius's absolute
-// value if it is negative.
+// A regular polygon: counter-clockwise if the radius is positive, else clockwise with its absolute
+// value.
 Loop MakeCircle(double u, double v, double radius, int count, int firstVertex = 0)
 {
   Loop loop;
@@ -493,6 +493,7 @@ TEST(ComparisonTable, GoodSurfaceHasItsFigures)
   Task task;
   task.CaseName = "sphere";
   task.Truth = MakeSphere(1.0);
+  task.TruthShape = MeasureTopology(task.Truth);
   task.Orthogonal = CutSurface(task.Truth, { 10, 10, 10 });
   task.Parallel = task.Orthogonal;
   task.Spacing = MeanSpacing(task.Orthogonal);

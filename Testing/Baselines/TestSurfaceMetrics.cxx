@@ -38,8 +38,8 @@ Surface MakeSphere(double radius, double x = 0.0)
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(radius);
   sphere->SetCenter(x, 0.0, 0.0);
-  sphere->SetThetaResolution(300);
-  sphere->SetPhiResolution(300);
+  sphere->SetThetaResolution(160);
+  sphere->SetPhiResolution(160);
   sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   sphere->Update();
   return sphere->GetOutput();
@@ -115,7 +115,7 @@ Surface MakeSquare(double z, bool up)
 //------------------------------------------------------------------------------
 TEST(SurfaceMetrics, ConcentricSpheresAreTheDifferenceOfRadiiApart)
 {
-  const auto deviation = MeasureDeviation(MakeSphere(1.0), MakeSphere(1.1));
+  const auto deviation = MeasureDeviation(MakeSphere(1.0), MakeSphere(1.1), 20000);
   ASSERT_TRUE(deviation);
   EXPECT_NEAR(deviation->Mean, 0.1, 2e-4);
   EXPECT_NEAR(deviation->RootMeanSquare, 0.1, 2e-4);
@@ -124,8 +124,8 @@ TEST(SurfaceMetrics, ConcentricSpheresAreTheDifferenceOfRadiiApart)
 }
 
 //------------------------------------------------------------------------------
-// The distance of the point at angle t from the axis of translation is |sqrt(1 + 2 d cos t + d^2) - 1|;
-// mean and mean square by quadrature, the largest is d.
+// The distance of the point at angle t from the axis of translation is
+// |sqrt(1 + 2 d cos t + d^2) - 1|; mean and mean square by quadrature, the largest is d.
 TEST(SurfaceMetrics, TranslatedSphereAgreesWithQuadrature)
 {
   const double shift = 0.25;
@@ -139,7 +139,7 @@ TEST(SurfaceMetrics, TranslatedSphereAgreesWithQuadrature)
     mean += distance / steps;
     square += distance * distance / steps;
   }
-  const auto deviation = MeasureDeviation(MakeSphere(1.0), MakeSphere(1.0, shift));
+  const auto deviation = MeasureDeviation(MakeSphere(1.0), MakeSphere(1.0, shift), 50000);
   ASSERT_TRUE(deviation);
   EXPECT_NEAR(deviation->Mean, mean, 3e-4);
   EXPECT_NEAR(deviation->RootMeanSquare, std::sqrt(square), 3e-4);

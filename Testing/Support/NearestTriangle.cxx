@@ -120,7 +120,8 @@ double NearestTriangle::Box::Distance2(const Vector3& position) const
 }
 
 //------------------------------------------------------------------------------
-// The nearest point is in the plane if the point is on the inner side of all three edges, else on an edge.
+// The nearest point lies within the face if the point is on the inner side of all three edges, else
+// on an edge.
 double NearestTriangle::Distance2(const Vector3& position, const Triangle& triangle)
 {
   const Vector3 normal =

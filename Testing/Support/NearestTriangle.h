@@ -4,8 +4,9 @@
  * @file
  * @brief   nearest triangle of a mesh: exact distances from a tree of bounding boxes
  *
- * vtkStaticCellLocator answers the same question, but takes ten times as long where surfaces are
- * many triangles apart, and may give different ones of equally near triangles from call to call.
+ * vtkStaticCellLocator answers the same question, but takes two to three times as long where the
+ * surfaces are many triangles apart, and of equally near triangles it may give different ones from
+ * call to call.
  */
 
 #ifndef OrthoSlicesNearestTriangle_h

@@ -20,8 +20,8 @@
  * where an edge has more than two triangles or neighbours are oriented against each other.
  */
 
-#ifndef SurfaceMetrics_h
-#define SurfaceMetrics_h
+#ifndef OrthoSlicesSurfaceMetrics_h
+#define OrthoSlicesSurfaceMetrics_h
 
 #include <cstdint>
 #include <optional>
