@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataBridge.h"
+#include "WritePoints.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -15,7 +16,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedShortArray.h"
 
@@ -119,29 +119,6 @@ void PieceReader::Read(vtkCellArray* cells, bool polygons, vtkIdType firstCell)
   }
 }
 
-vtkSmartPointer<vtkPoints> NewPoints(bool doublePrecision, vtkIdType count)
-{
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetDataType(doublePrecision ? VTK_DOUBLE : VTK_FLOAT);
-  points->SetNumberOfPoints(count);
-  return points;
-}
-
-/// Copies coordinates to the points from number `first` on.
-void CopyPoints(const std::vector<double>& xyz, vtkIdType first, vtkPoints* points)
-{
-  void* target = points->GetData()->GetVoidPointer(3 * first);
-  if (points->GetDataType() == VTK_DOUBLE)
-  {
-    std::copy(xyz.begin(), xyz.end(), static_cast<double*>(target));
-  }
-  else
-  {
-    std::transform(xyz.begin(), xyz.end(), static_cast<float*>(target),
-      [](double x) { return static_cast<float>(x); });
-  }
-}
-
 template <typename Array>
 Array* AddArray(vtkFieldData* data, const char* name, int components, vtkIdType count)
 {
@@ -173,10 +150,46 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
 }
 
 /**
+ * What was repaired at each polygon: bit 0, one of its nodes disagrees by more than the tolerance; bit 1, one of
+ * its arcs was drawn anew; bit 2, its patch was separated from others.
+ */
+std::vector<unsigned char> FindRepairs(const Reconstruction& result, double tolerance)
+{
+  const Cycles& polygons = result.Polygons;
+  std::vector<unsigned char> repairs(polygons.Count(), 0);
+  for (Index i = 0; i < polygons.Count(); ++i)
+  {
+    for (Index a = polygons.Offsets[i]; a < polygons.Offsets[i + 1]; ++a)
+    {
+      const HalfArc& half = polygons.Arcs[a];
+      const Index node = StartNode(result.Lattice, result.Nodes, half);
+      repairs[i] |= NodeDisagreement(result.Lattice, result.Nodes, node) > tolerance ? 1 : 0;
+      repairs[i] |= !result.Graph.Redrawn.empty() && result.Graph.Redrawn[half.Arc] != 0 ? 2 : 0;
+    }
+  }
+  for (const ShellPatch& shell : result.Surface.Shells)
+  {
+    repairs[shell.Cycle] |= 4;
+  }
+  return repairs;
+}
+
+/// Distance of the two contours at the node points, 0 at all other points.
+void AddDisagreement(const Reconstruction& result, vtkIdType points, vtkPointData* data)
+{
+  float* out = AddArray<vtkFloatArray>(data, "Disagreement", 1, points)->GetPointer(0);
+  std::fill(out, out + points, 0.0f);
+  for (Index node = 0; node < result.Graph.Nodes; ++node)
+  {
+    out[node] = static_cast<float>(NodeDisagreement(result.Lattice, result.Nodes, node));
+  }
+}
+
+/**
  * Component, cell of M and size of the polygon, for each triangle. Everything but that is released
  * before the arrays are made.
  */
-void FillCellArrays(Reconstruction& result, vtkCellData* data)
+void FillCellArrays(Reconstruction& result, double reportTolerance, vtkCellData* data)
 {
   const Cycles& polygons = result.Polygons;
   std::vector<int> components(polygons.Count());
@@ -185,6 +198,7 @@ void FillCellArrays(Reconstruction& result, vtkCellData* data)
     const HalfArc& half = polygons.Arcs[polygons.Offsets[i]];
     components[i] = result.Graph.Component[StartNode(result.Lattice, result.Nodes, half)];
   }
+  const std::vector<unsigned char> repairs = FindRepairs(result, reportTolerance);
   result.Lattice = Crossings();
   result.Nodes = NodePoints();
   result.Graph = NodeGraph();
@@ -193,11 +207,13 @@ void FillCellArrays(Reconstruction& result, vtkCellData* data)
   int* component = AddArray<vtkIntArray>(data, "ComponentId", 1, count)->GetPointer(0);
   auto* cell = AddArray<vtkUnsignedShortArray>(data, "GridCell", 3, count)->GetPointer(0);
   auto* size = AddArray<vtkUnsignedShortArray>(data, "PolygonSize", 1, count)->GetPointer(0);
+  auto* repair = AddArray<vtkUnsignedCharArray>(data, "Repaired", 1, count)->GetPointer(0);
   for (Index i = 0; i < polygons.Count(); ++i)
   {
     const std::int64_t begin = result.Surface.Offsets[i];
     const std::int64_t end = result.Surface.Offsets[i + 1];
     std::fill(component + begin, component + end, components[i]);
+    std::fill(repair + begin, repair + end, repairs[i]);
     std::fill(size + begin, size + end,
       static_cast<unsigned short>(std::min<Index>(polygons.Size(i), VTK_UNSIGNED_SHORT_MAX)));
     for (std::int64_t triangle = begin; triangle < end; ++triangle)
@@ -289,146 +305,7 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
     static_cast<vtkIdType>(GroupByCell(result.Grid, result.Polygons).Several.size()));
   add("NumberOfReconciledVertices", result.Reconciled.Vertices);
   add("NumberOfReconciledEdges", result.Reconciled.Edges);
-}
-
-/// Writes the cells of port 1 with their arrays, node points first.
-class GraphWriter
-{
-public:
-  GraphWriter(const Reconstruction& result, vtkPolyData* graph);
-
-  void AddNodes();
-  void AddArcs();
-  void AddIsolated();
-
-private:
-  void AddArc(Index arc);
-  void AddRow(double disagreement, int axis, int plane, double length, int component);
-  double SumLength(vtkIdType count, const vtkIdType* ids) const;
-
-  const Reconstruction& Result;
-  vtkPolyData* Graph;
-  GridEdgeCode Code;
-  std::vector<vtkIdType> Ids; ///< points of the line that is being written
-  vtkNew<vtkCellArray> Verts, Lines;
-  vtkNew<vtkDoubleArray> Disagreement, Length;
-  vtkNew<vtkIntArray> SliceAxis, SlicePlane, ComponentId;
-};
-
-GraphWriter::GraphWriter(const Reconstruction& result, vtkPolyData* graph)
-  : Result(result)
-  , Graph(graph)
-  , Code(result.Grid)
-{
-  this->Disagreement->SetName("Disagreement");
-  this->SliceAxis->SetName("SliceAxis");
-  this->SlicePlane->SetName("SlicePlane");
-  this->Length->SetName("Length");
-  this->ComponentId->SetName("ComponentId");
-  const vtkIdType cells =
-    vtkIdType(result.Graph.Nodes) + result.Lattice.Count() + result.Isolated.Count();
-  for (vtkDataArray* array : { static_cast<vtkDataArray*>(this->Disagreement.Get()),
-         static_cast<vtkDataArray*>(this->SliceAxis.Get()),
-         static_cast<vtkDataArray*>(this->SlicePlane.Get()),
-         static_cast<vtkDataArray*>(this->Length.Get()),
-         static_cast<vtkDataArray*>(this->ComponentId.Get()) })
-  {
-    array->Allocate(cells);
-    graph->GetCellData()->AddArray(array);
-  }
-  const vtkIdType ids = vtkIdType(result.Graph.Count()) + 2 * vtkIdType(result.Lattice.Count());
-  if (ids < std::numeric_limits<std::int32_t>::max())
-  {
-    this->Verts->Use32BitStorage();
-    this->Lines->Use32BitStorage();
-  }
-  this->Verts->AllocateExact(result.Graph.Nodes, result.Graph.Nodes);
-  this->Lines->AllocateExact(result.Lattice.Count() + result.Isolated.Count(),
-    ids + result.Isolated.Count() + static_cast<vtkIdType>(result.Isolated.Points.size() / 3));
-  graph->SetVerts(this->Verts);
-  graph->SetLines(this->Lines);
-}
-
-void GraphWriter::AddRow(double disagreement, int axis, int plane, double length, int component)
-{
-  this->Disagreement->InsertNextValue(disagreement);
-  this->SliceAxis->InsertNextValue(axis);
-  this->SlicePlane->InsertNextValue(plane);
-  this->Length->InsertNextValue(length);
-  this->ComponentId->InsertNextValue(component);
-}
-
-void GraphWriter::AddNodes()
-{
-  for (vtkIdType node = 0; node < this->Result.Graph.Nodes; ++node)
-  {
-    this->Verts->InsertNextCell(1, &node);
-    const Index index = static_cast<Index>(node);
-    this->AddRow(NodeDisagreement(this->Result.Lattice, this->Result.Nodes, index), -1, -1, 0.0,
-      this->Result.Graph.Component[index]);
-  }
-}
-
-double GraphWriter::SumLength(vtkIdType count, const vtkIdType* ids) const
-{
-  double length = 0.0;
-  double a[3], b[3];
-  for (vtkIdType i = 1; i < count; ++i)
-  {
-    this->Graph->GetPoint(ids[i - 1], a);
-    this->Graph->GetPoint(ids[i], b);
-    length += std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-  }
-  return length;
-}
-
-void GraphWriter::AddArc(Index arc)
-{
-  const Crossings& crossings = this->Result.Lattice;
-  const NodeGraph& graph = this->Result.Graph;
-  const Index start = this->Result.Nodes.NodeOf[arc];
-  this->Ids.assign(1, start);
-  for (Index i = 0; i < graph.PointCount(arc); ++i)
-  {
-    this->Ids.push_back(graph.FirstPoint(arc) + i);
-  }
-  this->Ids.push_back(this->Result.Nodes.NodeOf[crossings.Next[arc]]);
-  const vtkIdType count = static_cast<vtkIdType>(this->Ids.size());
-  this->Lines->InsertNextCell(count, this->Ids.data());
-  const GridEdge edge = this->Code.Decode(crossings.Edge[arc]);
-  const bool first = crossings.Family[arc] == 0;
-  this->AddRow(0.0, first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction),
-    first ? edge.First : edge.Second, this->SumLength(count, this->Ids.data()),
-    graph.Component[start]);
-}
-
-void GraphWriter::AddArcs()
-{
-  for (Index arc = 0; arc < this->Result.Lattice.Count(); ++arc)
-  {
-    if (!this->Result.Lattice.IsRemoved(arc))
-    {
-      this->AddArc(arc);
-    }
-  }
-}
-
-void GraphWriter::AddIsolated()
-{
-  const IsolatedContours& isolated = this->Result.Isolated;
-  for (Index i = 0; i < isolated.Count(); ++i)
-  {
-    this->Ids.clear();
-    for (Index p = isolated.Offsets[i]; p < isolated.Offsets[i + 1]; ++p)
-    {
-      this->Ids.push_back(vtkIdType(this->Result.Graph.Count()) + p);
-    }
-    this->Ids.push_back(this->Ids.front());
-    const vtkIdType count = static_cast<vtkIdType>(this->Ids.size());
-    this->Lines->InsertNextCell(count, this->Ids.data());
-    this->AddRow(
-      0.0, isolated.Axis[i], isolated.Plane[i], this->SumLength(count, this->Ids.data()), -1);
-  }
+  add("NumberOfRepairs", static_cast<vtkIdType>(result.Repairs.size()));
 }
 }
 
@@ -448,7 +325,7 @@ Pieces ReadPieces(vtkPolyData* input, int axis, bool doublePrecision)
 }
 
 void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool doublePrecision,
-  bool normals, vtkPolyData* surface)
+  bool normals, double reportTolerance, vtkPolyData* surface)
 {
   Reconstruction result = std::move(consumed);
   const vtkIdType graphPoints = result.Graph.Count();
@@ -480,42 +357,12 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   }
   surface->SetPolys(cells);
   AddFieldData(result, surface->GetFieldData());
-  FillCellArrays(result, surface->GetCellData());
+  AddDisagreement(result, surface->GetNumberOfPoints(), surface->GetPointData());
+  FillCellArrays(result, reportTolerance, surface->GetCellData());
   result = Reconstruction();
   if (normals)
   {
     AddNormals(surface, execution);
   }
-}
-
-void WriteGraph(const Reconstruction& result, bool doublePrecision, vtkPolyData* graph)
-{
-  const vtkIdType isolated = static_cast<vtkIdType>(result.Isolated.Points.size() / 3);
-  auto points = NewPoints(doublePrecision, result.Graph.Count() + isolated);
-  CopyPoints(result.Graph.Points, 0, points);
-  CopyPoints(result.Isolated.Points, result.Graph.Count(), points);
-  graph->SetPoints(points);
-  GraphWriter writer(result, graph);
-  writer.AddNodes();
-  writer.AddArcs();
-  writer.AddIsolated();
-}
-
-void WriteHistogram(const Reconstruction& result, vtkTable* table)
-{
-  const std::vector<Index> histogram = CountPolygonSizes(result.Polygons);
-  vtkNew<vtkIdTypeArray> size;
-  vtkNew<vtkIdTypeArray> count;
-  size->SetName("PolygonSize");
-  count->SetName("Count");
-  const auto smallest =
-    std::find_if(histogram.begin(), histogram.end(), [](Index n) { return n > 0; });
-  for (auto i = smallest; i != histogram.end(); ++i)
-  {
-    size->InsertNextValue(i - histogram.begin());
-    count->InsertNextValue(*i);
-  }
-  table->AddColumn(size);
-  table->AddColumn(count);
 }
 }

@@ -28,13 +28,19 @@ Pieces ReadPieces(vtkPolyData* input, int axis, bool doublePrecision);
  * peaks.
  */
 void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool doublePrecision,
-  bool normals, vtkPolyData* surface);
+  bool normals, double reportTolerance, vtkPolyData* surface);
 
-/// Port 1: the graph G and the isolated contours.
+/// Port 1: the graph G, the repairs and the isolated contours.
 void WriteGraph(const Reconstruction& result, bool doublePrecision, vtkPolyData* graph);
 
 /// Port 2: the histogram of polygon sizes.
 void WriteHistogram(const Reconstruction& result, vtkTable* table);
+
+/// Port 3: agreement of every contour with the orthogonal families.
+void WriteContourTable(const Reconstruction& result, vtkTable* table);
+
+/// Port 4: agreement of every slice with the orthogonal families, and its shift.
+void WriteSliceTable(const Reconstruction& result, vtkTable* table);
 }
 
 #endif

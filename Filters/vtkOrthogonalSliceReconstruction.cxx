@@ -62,8 +62,37 @@ std::string ListProblems(const std::vector<orthoslices::Problem>& problems)
   return text.str();
 }
 
+/// The slice that agrees least with the others.
+std::string DescribeWorstSlice(const orthoslices::Reconstruction& result)
+{
+  int worstAxis = 0;
+  std::size_t worstPlane = 0;
+  double worst = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto& planes = result.Agreement.OfPlane[axis];
+    for (std::size_t plane = 0; plane < planes.size(); ++plane)
+    {
+      if (planes[plane].RootMeanSquare() > worst)
+      {
+        worst = planes[plane].RootMeanSquare();
+        worstAxis = axis;
+        worstPlane = plane;
+      }
+    }
+  }
+  std::ostringstream text;
+  if (worst > 0.0)
+  {
+    text << " Least agreement: the slice " << AxisNames[worstAxis] << " = "
+         << result.Grid.Planes[worstAxis][worstPlane] << ", RMS " << worst
+         << " (see the table of slices).";
+  }
+  return text.str();
+}
+
 /// What the user should know about a result that is closed all the same; empty if nothing.
-std::string ListDoubts(const orthoslices::Reconstruction& result, bool repaired)
+std::string ListDoubts(const orthoslices::Reconstruction& result, bool repaired, double tolerance)
 {
   std::ostringstream text;
   if (!result.Invalid.empty())
@@ -77,11 +106,14 @@ std::string ListDoubts(const orthoslices::Reconstruction& result, bool repaired)
          << result.Crossing.size() << " contours cross and were "
          << (repaired ? "repaired:" : "left out:") << ListProblems(result.Crossing);
   }
-  if (result.Reconciled.Vertices > 0 || result.Reconciled.Edges > 0)
+  const orthoslices::Index disagreements = orthoslices::CountDisagreements(result, tolerance);
+  if (result.Reconciled.Vertices > 0 || result.Reconciled.Edges > 0 || disagreements > 0)
   {
     text << "\nThe slices contradict each other at " << result.Reconciled.Vertices
          << " grid vertices and on " << result.Reconciled.Edges
-         << " grid edges; they were reconciled there.";
+         << " grid edges, where they were reconciled, and by more than " << tolerance << " at "
+         << disagreements << " of " << result.Graph.Nodes << " node points."
+         << DescribeWorstSlice(result);
   }
   if (result.Isolated.Count() > 0)
   {
@@ -98,7 +130,7 @@ std::string ListDoubts(const orthoslices::Reconstruction& result, bool repaired)
 vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(5);
 }
 
 int vtkOrthogonalSliceReconstruction::FillInputPortInformation(int, vtkInformation* info)
@@ -109,7 +141,7 @@ int vtkOrthogonalSliceReconstruction::FillInputPortInformation(int, vtkInformati
 
 int vtkOrthogonalSliceReconstruction::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkTable" : "vtkPolyData");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port >= 2 ? "vtkTable" : "vtkPolyData");
   return 1;
 }
 
@@ -121,6 +153,16 @@ vtkPolyData* vtkOrthogonalSliceReconstruction::GetGraphOutput()
 vtkTable* vtkOrthogonalSliceReconstruction::GetHistogramOutput()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+}
+
+vtkTable* vtkOrthogonalSliceReconstruction::GetContourTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(3));
+}
+
+vtkTable* vtkOrthogonalSliceReconstruction::GetSliceTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(4));
 }
 
 int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
@@ -147,6 +189,12 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   if (outputs->GetInformationObject(from)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
     return 1;
+  }
+  const double least = *std::min_element(this->AxisWeights, this->AxisWeights + 3);
+  if (!(least >= 0.0))
+  {
+    vtkErrorMacro("AxisWeights has " << least << "; weights must not be negative.");
+    return 0;
   }
   bool doublePrecision = this->OutputPointsPrecision == DOUBLE_PRECISION;
   for (int port = 0; port < 3; ++port)
@@ -181,6 +229,10 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   options.Orient = this->Orientation == ORIENT_AS_DRAWN ? orthoslices::Orientation::AsDrawn
                                                         : orthoslices::Orientation::ByNesting;
   options.SinglePrecision = !doublePrecision;
+  if (std::any_of(this->AxisWeights, this->AxisWeights + 3, [](double w) { return w > 0.0; }))
+  {
+    std::copy_n(this->AxisWeights, 3, options.Weights.begin());
+  }
   options.RefuseInvalid = this->InvalidContours == REFUSE;
   options.Crossing = this->CrossingContours == REPAIR_CROSSING
     ? orthoslices::CrossingContours::Repair
@@ -224,16 +276,20 @@ int vtkOrthogonalSliceReconstruction::RequestData(
       return 0;
     }
   }
-  const std::string doubts = ListDoubts(result, this->CrossingContours == REPAIR_CROSSING);
+  const double reportTolerance = this->ReportTolerance * result.Diagonal;
+  const std::string doubts =
+    ListDoubts(result, this->CrossingContours == REPAIR_CROSSING, reportTolerance);
   if (!doubts.empty())
   {
     vtkWarningMacro(<< doubts);
   }
+  orthoslices::WriteContourTable(result, vtkTable::GetData(outputs, 3));
+  orthoslices::WriteSliceTable(result, vtkTable::GetData(outputs, 4));
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
   orthoslices::WriteGraph(result, doublePrecision, vtkPolyData::GetData(outputs, 1));
   this->UpdateProgress(0.9);
   orthoslices::WriteSurface(std::move(result), execution, doublePrecision, this->ComputeNormals,
-    vtkPolyData::GetData(outputs, 0));
+    reportTolerance, vtkPolyData::GetData(outputs, 0));
   this->UpdateProgress(1.0);
   return 1;
 }
@@ -253,6 +309,9 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "CentralPoint: " << (this->CentralPoint == CENTROID ? "Centroid" : "LeastSquares")
      << "\n";
+  os << indent << "AxisWeights: " << this->AxisWeights[0] << " " << this->AxisWeights[1] << " "
+     << this->AxisWeights[2] << "\n";
+  os << indent << "ReportTolerance: " << this->ReportTolerance << "\n";
   os << indent << "ComputeNormals: " << (this->ComputeNormals ? "On" : "Off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

@@ -5,6 +5,7 @@
 #include "Predicates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace orthoslices
@@ -58,7 +59,7 @@ public:
   {
   }
 
-  std::vector<RedrawnFace> Run(const Execution& execution);
+  std::vector<Repair> Run(const Execution& execution);
 
 private:
   using Group = std::pair<const ArcInFace*, const ArcInFace*>;
@@ -75,10 +76,16 @@ private:
 
   bool Redraw(const Face& face, Group arcs, NewArcs& redrawn);
   std::vector<BorderEnd> SortEnds(Group arcs) const;
+  Index ArcOf(const BorderEnd& end) const
+  {
+    return end.IsStart ? end.Crossing : this->Lattice.Previous[end.Crossing];
+  }
   BorderEnd EndOnBorder(Index crossing, bool isStart) const;
   bool Interlock(const std::vector<BorderEnd>& ends) const;
   void Reconnect(const std::vector<BorderEnd>& ends);
   void DrawShells(const Face& face, const std::vector<BorderEnd>& ends, NewArcs& redrawn) const;
+  Repair Describe(
+    const Face& face, bool reconnected, const NewArcs& redrawn, std::size_t first) const;
   void Replace(const NewArcs& redrawn);
 
   const SpatialGrid& Grid;
@@ -252,7 +259,7 @@ bool ArcEmbedder::Interlock(const std::vector<BorderEnd>& ends) const
   std::vector<Index> open;
   for (const BorderEnd& end : ends)
   {
-    const Index arc = end.IsStart ? end.Crossing : this->Lattice.Previous[end.Crossing];
+    const Index arc = this->ArcOf(end);
     if (!open.empty() && open.back() == arc)
     {
       open.pop_back();
@@ -369,6 +376,30 @@ bool ArcEmbedder::Redraw(const Face& face, Group arcs, NewArcs& redrawn)
   return reconnect;
 }
 
+/// The repair that gave the new arcs from number `first` on.
+Repair ArcEmbedder::Describe(
+  const Face& face, bool reconnected, const NewArcs& redrawn, std::size_t first) const
+{
+  Point3 sum{ 0.0, 0.0, 0.0 };
+  double length = 0.0;
+  for (std::size_t arc = first; arc < redrawn.Arc.size(); ++arc)
+  {
+    for (std::size_t i = redrawn.Offsets[arc]; i < redrawn.Offsets[arc + 1]; ++i)
+    {
+      const Point3& p = redrawn.Points[i];
+      const Point3& q = redrawn.Points[i > redrawn.Offsets[arc] ? i - 1 : i];
+      length += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        sum[axis] += p[axis];
+      }
+    }
+  }
+  const double count = static_cast<double>(redrawn.Offsets.back() - redrawn.Offsets[first]);
+  return { reconnected ? RepairKind::ArcsReconnected : RepairKind::ArcsRedrawn, face.Axis,
+    face.Plane, { sum[0] / count, sum[1] / count, sum[2] / count }, length };
+}
+
 /// Writes the points of G anew with the new arcs in the places of the old ones.
 void ArcEmbedder::Replace(const NewArcs& redrawn)
 {
@@ -383,6 +414,7 @@ void ArcEmbedder::Replace(const NewArcs& redrawn)
   std::vector<double> points(this->Graph.Points.begin(), nodesEnd);
   points.reserve(this->Graph.Points.size() + 3 * redrawn.Points.size());
   std::vector<Index> offsets(1, 0);
+  this->Graph.Redrawn.assign(this->Lattice.Count(), 0);
   for (Index arc = 0; arc < this->Lattice.Count(); ++arc)
   {
     if (newArc[arc] == none)
@@ -393,6 +425,7 @@ void ArcEmbedder::Replace(const NewArcs& redrawn)
     }
     else
     {
+      this->Graph.Redrawn[arc] = 1;
       for (std::size_t i = redrawn.Offsets[newArc[arc]]; i < redrawn.Offsets[newArc[arc] + 1]; ++i)
       {
         points.insert(points.end(), redrawn.Points[i].begin(), redrawn.Points[i].end());
@@ -404,7 +437,7 @@ void ArcEmbedder::Replace(const NewArcs& redrawn)
   this->Graph.Offsets.swap(offsets);
 }
 
-std::vector<RedrawnFace> ArcEmbedder::Run(const Execution& execution)
+std::vector<Repair> ArcEmbedder::Run(const Execution& execution)
 {
   const std::vector<ArcInFace> arcs = this->SortByFace();
   std::vector<std::size_t> groups;
@@ -432,26 +465,27 @@ std::vector<RedrawnFace> ArcEmbedder::Run(const Execution& execution)
         simple[g] = this->IsSimple(face, group(g));
       }
     });
-  std::vector<RedrawnFace> faces;
+  std::vector<Repair> repairs;
   NewArcs redrawn;
   for (std::size_t g = 0; g < simple.size(); ++g)
   {
     if (!simple[g])
     {
+      const std::size_t first = redrawn.Arc.size();
       const Face face = this->FaceOf(arcs[groups[g]].Arc);
       const bool reconnected = this->Redraw(face, group(g), redrawn);
-      faces.push_back({ face.Axis, face.Plane, face.Slab[0], face.Slab[1], reconnected });
+      repairs.push_back(this->Describe(face, reconnected, redrawn, first));
     }
   }
-  if (!faces.empty())
+  if (!repairs.empty())
   {
     this->Replace(redrawn);
   }
-  return faces;
+  return repairs;
 }
 }
 
-std::vector<RedrawnFace> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
+std::vector<Repair> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
   const Execution& execution, Crossings& crossings, NodeGraph& graph)
 {
   return ArcEmbedder(grid, nodes, crossings, graph).Run(execution);

@@ -7,28 +7,22 @@
 
 namespace orthoslices
 {
-/// A face of M whose arcs had to be drawn anew.
-struct RedrawnFace
-{
-  int Axis;    ///< of its slice
-  Index Plane; ///< of its slice
-  Index SlabU, SlabV;
-  bool Reconnected; ///< the arcs crossed so that their ends had to be joined in another way
-};
-
 /**
- * Makes the arcs of every face of M simple curves that do not touch each other, strictly inside the face
- * but for their ends (our own addition; contours that do not cross have such arcs from the start).
+ * Makes the arcs of every face of M simple curves that do not touch each other, strictly inside the
+ * face but for their ends (our own addition; contours that do not cross have such arcs from the
+ * start).
  *
  *  - Vertices on the border of their face move inside by the grid's Margin.
- *  - Faces whose arcs may still touch (contours that cross or touch, nodes moved far by contradictory
- *    slices, arcs along a grid line) have all their arcs drawn anew as *shells*: an arc follows the border
- *    of the face at a depth that grows with the number of arcs nested beneath it, so that no two can
- *    meet. If the ends of the arcs interlock, they are joined anew first, neighbour to neighbour.
+ *  - Faces whose arcs may still touch (contours that cross or touch, nodes moved far by
+ *    contradictory slices, arcs along a grid line) have all their arcs drawn anew as *shells*: an
+ *    arc follows the border of the face at a depth that grows with the number of arcs nested
+ *    beneath it, so that no two can meet. If the ends of the arcs interlock, they are joined anew
+ *    first, neighbour to neighbour.
  *
- * Other faces keep every vertex. Returns the faces that were drawn anew.
+ * Other faces keep every vertex. Returns one repair for each face that was drawn anew, and marks its
+ * arcs in NodeGraph::Redrawn.
  */
-std::vector<RedrawnFace> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
+std::vector<Repair> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
   const Execution& execution, Crossings& crossings, NodeGraph& graph);
 }
 

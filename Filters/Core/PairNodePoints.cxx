@@ -11,13 +11,15 @@ namespace
 {
 /// Places nodes [first, last), which lie on one edge, at least a margin apart.
 void PlaceNodes(const SpatialGrid& grid, const GridEdge& edge, const Crossings& crossings,
-  NodePoints& nodes, Index first, Index last)
+  const AxisWeights& weights, NodePoints& nodes, Index first, Index last)
 {
   const int t = edge.Direction;
+  const double sum = weights[FirstAxis(t)] + weights[SecondAxis(t)];
+  const double share = sum > 0.0 ? weights[SecondAxis(t)] / sum : 0.5;
   for (Index node = first; node < last; ++node)
   {
     const double low = crossings.Position[nodes.First[node]];
-    const double mean = low + 0.5 * (crossings.Position[nodes.Second[node]] - low);
+    const double mean = low + share * (crossings.Position[nodes.Second[node]] - low);
     nodes.Position.push_back(grid.MoveInside(t, edge.Slab, mean));
   }
   double low, high;
@@ -38,8 +40,8 @@ void PlaceNodes(const SpatialGrid& grid, const GridEdge& edge, const Crossings& 
 }
 }
 
-NodePoints PairNodePoints(
-  const SpatialGrid& grid, const Crossings& crossings, const EdgeRegister& edges)
+NodePoints PairNodePoints(const SpatialGrid& grid, const Crossings& crossings,
+  const EdgeRegister& edges, const AxisWeights& weights)
 {
   const GridEdgeCode code(grid);
   NodePoints nodes;
@@ -64,8 +66,8 @@ NodePoints PairNodePoints(
     }
     if (first < nodes.Count())
     {
-      PlaceNodes(grid, code.Decode(crossings.Edge[nodes.First[first]]), crossings, nodes, first,
-        nodes.Count());
+      PlaceNodes(grid, code.Decode(crossings.Edge[nodes.First[first]]), crossings, weights, nodes,
+        first, nodes.Count());
     }
   }
   return nodes;

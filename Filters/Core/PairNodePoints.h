@@ -4,6 +4,7 @@
 #define OrthoSlicesPairNodePoints_h
 
 #include "RegisterCrossings.h"
+#include "Repair.h"
 
 namespace orthoslices
 {
@@ -29,13 +30,14 @@ struct NodePoints
 };
 
 /**
- * Pairs the crossings of the two families on every edge in their order along it. A node lies at the mean of its
- * two crossings. Nodes keep the grid's Margin from the ends of their edge and from each other, less where
- * there are too many of them, so that no two nodes coincide; they are numbered upwards along each edge.
+ * Pairs the crossings of the two families on every edge in their order along it. A node lies at the
+ * mean of its two crossings, weighted by the axes of their slices. Nodes keep the grid's Margin from
+ * the ends of their edge and from each other, less where there are too many of them, so that no
+ * two nodes coincide; they are numbered upwards along each edge.
  * REQUIRES: reconciled slices (as many crossings of both families on an edge, with the same signs).
  */
-NodePoints PairNodePoints(
-  const SpatialGrid& grid, const Crossings& crossings, const EdgeRegister& edges);
+NodePoints PairNodePoints(const SpatialGrid& grid, const Crossings& crossings,
+  const EdgeRegister& edges, const AxisWeights& weights = { 1.0, 1.0, 1.0 });
 
 /// World coordinates of a node point.
 Point3 NodePosition(const SpatialGrid& grid, const GridEdgeCode& code, const Crossings& crossings,

@@ -30,12 +30,13 @@ class Reconciler
 {
 public:
   Reconciler(const SpatialGrid& grid, Crossings& crossings, EdgeRegister& edges,
-    std::vector<IsolatedLoop>& isolated)
+    std::vector<IsolatedLoop>& isolated, const AxisWeights& weights)
     : Grid(grid)
     , Code(grid)
     , Set(crossings)
     , Edges(edges)
     , Isolated(isolated)
+    , Weights(weights)
   {
   }
 
@@ -51,6 +52,9 @@ private:
   void AddDoubts(
     const GridEdge& edge, Index end, const int winding[2], std::vector<Doubt>& doubts) const;
   std::vector<Correction> Decide(std::vector<Doubt>& doubts);
+  int Vote(const std::array<int, 3>& winding) const;
+  void ReportVertex(const Correction& correction);
+  double DistanceTo(const GridEdge& edge, int family, double position) const;
   void InsertLoop(const Correction& correction);
 
   void MatchEdges();
@@ -66,6 +70,7 @@ private:
   Crossings& Set;
   EdgeRegister& Edges;
   std::vector<IsolatedLoop>& Isolated;
+  AxisWeights Weights;
   Reconciliation Report;
 };
 
@@ -134,6 +139,72 @@ std::vector<Doubt> Reconciler::FindDoubts() const
   return doubts;
 }
 
+/// The label with the greater weight. Windings beyond 0 and 1 count as outside and inside.
+int Reconciler::Vote(const std::array<int, 3>& winding) const
+{
+  double inside = 0.0;
+  double outside = 0.0;
+  int heaviest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    (winding[axis] > 0 ? inside : outside) += this->Weights[axis];
+    heaviest = this->Weights[axis] > this->Weights[heaviest] ? axis : heaviest;
+  }
+  return inside != outside ? inside > outside : winding[heaviest] > 0;
+}
+
+/// Records that a slice was overruled at a vertex, before its crossings are changed.
+void Reconciler::ReportVertex(const Correction& correction)
+{
+  const int u = FirstAxis(correction.Axis);
+  const int v = SecondAxis(correction.Axis);
+  const Index slice = correction.Vertex[correction.Axis];
+  const Index i = correction.Vertex[u];
+  const Index j = correction.Vertex[v];
+  const double spacing = std::max(this->Grid.MeanSpacing(u), this->Grid.MeanSpacing(v));
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Index above : { 0, 1 })
+  {
+    nearest =
+      std::min(nearest, this->DistanceTo({ v, slice, i, j + above }, 0, this->Grid.Planes[v][j]));
+    nearest =
+      std::min(nearest, this->DistanceTo({ u, j, slice, i + above }, 1, this->Grid.Planes[u][i]));
+  }
+  Point3 where;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    where[axis] = this->Grid.Planes[axis][correction.Vertex[axis]];
+  }
+  this->Report.Repairs.push_back({ RepairKind::VertexRelabelled, correction.Axis, slice, where,
+    std::isfinite(nearest) ? nearest : spacing });
+}
+
+/// Distance from a place on an edge to the nearest crossing of a family; infinite if there is none.
+double Reconciler::DistanceTo(const GridEdge& edge, int family, double position) const
+{
+  const std::uint64_t code = this->Code.Encode(edge);
+  const auto codeOf = [this](Index e)
+  { return this->Set.Edge[this->Edges.Crossing[this->Edges.Offsets[e]]]; };
+  Index low = 0;
+  Index high = this->Edges.Count();
+  while (low < high)
+  {
+    const Index middle = low + (high - low) / 2;
+    codeOf(middle) < code ? low = middle + 1 : high = middle;
+  }
+  double nearest = std::numeric_limits<double>::infinity();
+  if (low < this->Edges.Count() && codeOf(low) == code)
+  {
+    for (Index i = this->Edges.Offsets[low]; i < this->Edges.Offsets[low + 1]; ++i)
+    {
+      const Index crossing = this->Edges.Crossing[i];
+      const double distance = std::abs(this->Set.Position[crossing] - position);
+      nearest = this->Set.Family[crossing] == family ? std::min(nearest, distance) : nearest;
+    }
+  }
+  return nearest;
+}
+
 std::vector<Correction> Reconciler::Decide(std::vector<Doubt>& doubts)
 {
   std::sort(doubts.begin(), doubts.end(),
@@ -148,9 +219,7 @@ std::vector<Correction> Reconciler::Decide(std::vector<Doubt>& doubts)
     {
       winding[doubts[i].Axis] = doubts[i].Winding;
     }
-    std::array<int, 3> votes = winding;
-    std::sort(votes.begin(), votes.end());
-    const int label = std::clamp(votes[1], 0, 1);
+    const int label = this->Vote(winding);
     const std::uint64_t nz = this->Grid.Count(2);
     const std::uint64_t ny = this->Grid.Count(1);
     const std::array<Index, 3> place{ static_cast<Index>(vertex / nz / ny),
@@ -277,6 +346,15 @@ void Reconciler::AddIsolated(Index firstRun)
 /// On each side of the crossed plane, the arc that ends at one of the two goes on from the other.
 void Reconciler::Snip(Index a, Index b)
 {
+  const double from = this->Set.Position[a];
+  const double to = this->Set.Position[b];
+  const GridEdge edge = this->Code.Decode(this->Set.Edge[a]);
+  const bool first = this->Set.Family[a] == 0;
+  this->Report.Repairs.push_back(
+    { RepairKind::CrossingsSnipped, first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction),
+      first ? edge.First : edge.Second,
+      CrossingPoint(this->Grid, this->Code, this->Set.Edge[a], from + 0.5 * (to - from)),
+      std::abs(to - from) });
   this->JoinArcs(a, b);
   this->JoinArcs(b, a);
   this->Set.Next[a] = Crossings::Removed;
@@ -358,7 +436,12 @@ void Reconciler::MatchEdges()
 Reconciliation Reconciler::Run()
 {
   std::vector<Doubt> doubts = this->FindDoubts();
-  for (const Correction& correction : this->Decide(doubts))
+  const std::vector<Correction> corrections = this->Decide(doubts);
+  for (const Correction& correction : corrections)
+  {
+    this->ReportVertex(correction);
+  }
+  for (const Correction& correction : corrections)
   {
     for (int i = 0; i < std::abs(correction.Amount); ++i)
     {
@@ -428,8 +511,8 @@ void MatchAlternating(const std::vector<double>& first, const std::vector<double
 }
 
 Reconciliation ReconcileSlices(const SpatialGrid& grid, Crossings& crossings, EdgeRegister& edges,
-  std::vector<IsolatedLoop>& isolated)
+  std::vector<IsolatedLoop>& isolated, const AxisWeights& weights)
 {
-  return Reconciler(grid, crossings, edges, isolated).Run();
+  return Reconciler(grid, crossings, edges, isolated, weights).Run();
 }
 }

@@ -4,6 +4,7 @@
 #define OrthoSlicesReconcileSlices_h
 
 #include "RegisterCrossings.h"
+#include "Repair.h"
 
 namespace orthoslices
 {
@@ -13,12 +14,14 @@ struct Reconciliation
   Index Vertices =
     0;             ///< vertices of M at which the three slices did not agree on inside or outside
   Index Edges = 0; ///< edges of M from which unmatched crossings were taken
+  std::vector<Repair> Repairs;
 };
 
 /**
  * Makes the slices agree (our own addition; the paper assumes that they do).
  *
- * At every vertex of M each of its three slices has a winding number, and they all get the median:
+ * At every vertex of M each of its three slices has a winding number, and they all get the label that
+ * has the greater weight (with equal weights, the median; with two opposite halves, the heaviest slice's):
  * an infinitesimal loop around the vertex is inserted into the slice that differs. Then both slices
  * at an edge of M agree at its two ends, so their crossings, put in alternating order, have the
  * same first and last sign. They are matched so that the total length on which the two slices
@@ -30,7 +33,7 @@ struct Reconciliation
  * the snipping are appended to `isolated` if they have three vertices or more.
  */
 Reconciliation ReconcileSlices(const SpatialGrid& grid, Crossings& crossings, EdgeRegister& edges,
-  std::vector<IsolatedLoop>& isolated);
+  std::vector<IsolatedLoop>& isolated, const AxisWeights& weights = { 1.0, 1.0, 1.0 });
 
 /**
  * Matches two ascending lists of positions whose signs alternate from the same first sign.

@@ -11,8 +11,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Absolute tolerance from the bounds of all finite coordinates.
-double AbsoluteTolerance(const std::array<Pieces, 3>& pieces, double fraction)
+/// Diagonal of the bounding box of all finite coordinates.
+double FindDiagonal(const std::array<Pieces, 3>& pieces)
 {
   Point3 low, high;
   low.fill(HUGE_VAL);
@@ -35,7 +35,7 @@ double AbsoluteTolerance(const std::array<Pieces, 3>& pieces, double fraction)
     extend(set.Axis, set.W);
   }
   const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-  return std::isfinite(diagonal) ? fraction * diagonal : 0.0;
+  return std::isfinite(diagonal) ? diagonal : 0.0;
 }
 
 IsolatedContours CopyIsolated(
@@ -81,6 +81,38 @@ bool GoOn(const Execution& execution, Reconstruction& result, double progress)
   return !result.Stopped;
 }
 
+void Append(const std::vector<Repair>& more, std::vector<Repair>& repairs)
+{
+  repairs.insert(repairs.end(), more.begin(), more.end());
+}
+
+/// One repair for each patch that became a shell.
+std::vector<Repair> DescribeShells(const Reconstruction& result)
+{
+  std::vector<Repair> repairs;
+  std::vector<Index> border, nodePlaces;
+  for (const ShellPatch& shell : result.Surface.Shells)
+  {
+    GetBoundary(
+      result.Graph, result.Lattice, result.Nodes, result.Polygons, shell.Cycle, border, nodePlaces);
+    Point3 sum{ 0.0, 0.0, 0.0 };
+    double length = 0.0;
+    for (std::size_t i = 0; i < border.size(); ++i)
+    {
+      const double* p = result.Graph.Points.data() + 3 * static_cast<std::size_t>(border[i]);
+      const double* q =
+        result.Graph.Points.data() + 3 * static_cast<std::size_t>(border[(i + 1) % border.size()]);
+      length += std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        sum[axis] += p[axis] / border.size();
+      }
+    }
+    repairs.push_back({ RepairKind::PatchesSeparated, -1, -1, sum, length });
+  }
+  return repairs;
+}
+
 void CountContours(const Contours& contours, Reconstruction& result)
 {
   for (const std::int8_t axis : contours.Axis)
@@ -90,11 +122,22 @@ void CountContours(const Contours& contours, Reconstruction& result)
 }
 }
 
+Index CountDisagreements(const Reconstruction& result, double tolerance)
+{
+  Index count = 0;
+  for (Index node = 0; node < result.Nodes.Count(); ++node)
+  {
+    count += NodeDisagreement(result.Lattice, result.Nodes, node) > tolerance ? 1 : 0;
+  }
+  return count;
+}
+
 Reconstruction Reconstruct(
   std::array<Pieces, 3>&& pieces, const Options& options, const Execution& execution)
 {
   Reconstruction result;
-  const double tolerance = AbsoluteTolerance(pieces, options.PlaneTolerance);
+  result.Diagonal = FindDiagonal(pieces);
+  const double tolerance = options.PlaneTolerance * result.Diagonal;
   Contours contours;
   for (Pieces& set : pieces)
   {
@@ -127,15 +170,20 @@ Reconstruction Reconstruct(
   {
     return result;
   }
-  result.Reconciled = ReconcileSlices(result.Grid, result.Lattice, edges, isolated);
-  result.Nodes = PairNodePoints(result.Grid, result.Lattice, edges);
+  result.Reconciled =
+    ReconcileSlices(result.Grid, result.Lattice, edges, isolated, options.Weights);
+  result.Repairs.swap(result.Reconciled.Repairs);
+  result.Nodes = PairNodePoints(result.Grid, result.Lattice, edges, options.Weights);
   edges = EdgeRegister();
   result.Graph =
     BuildNodeGraph(contours, result.Grid, result.Lattice, result.Nodes, tolerance, execution);
   const std::vector<double> normals =
     ComputeNodeNormals(contours, result.Grid, result.Lattice, result.Nodes, execution);
   result.Isolated = CopyIsolated(isolated, contours, result.Lattice);
-  result.Redrawn = EmbedArcs(result.Grid, result.Nodes, execution, result.Lattice, result.Graph);
+  result.Agreement = MeasureAgreement(contours, result.Grid, result.Lattice, result.Nodes, normals);
+  result.Members = { contours.Axis, contours.Plane, contours.Cell };
+  Append(
+    EmbedArcs(result.Grid, result.Nodes, execution, result.Lattice, result.Graph), result.Repairs);
   FindComponents(result.Lattice, result.Nodes, result.Graph);
   contours = Contours();
   if (!GoOn(execution, result, 0.65))
@@ -147,6 +195,7 @@ Reconstruction Reconstruct(
     result.Lattice, result.Nodes, normals, result.Polygons, execution);
   result.Surface.Shells = SeparatePatches(result.Grid, result.Graph, result.Lattice, result.Nodes,
     result.Polygons, result.Surface.CentralPoints, execution);
+  Append(DescribeShells(result), result.Repairs);
   LayOutTriangles(result.Graph, result.Polygons, result.Surface);
   GoOn(execution, result, 0.8);
   return result;

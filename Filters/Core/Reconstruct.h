@@ -5,6 +5,7 @@
 
 #include "CentralPoint.h"
 #include "EmbedArcs.h"
+#include "MeasureAgreement.h"
 #include "NodeGraph.h"
 #include "OrientContours.h"
 #include "ReconcileSlices.h"
@@ -30,6 +31,7 @@ struct Options
   bool RefuseInvalid = true; ///< no surface if a contour is open, off its plane or not finite
   CrossingContours Crossing = CrossingContours::Repair;
   bool SinglePrecision = false; ///< the result will be stored as float
+  AxisWeights Weights{ 1.0, 1.0, 1.0 };
   CentralPointMethod Central = CentralPointMethod::LeastSquares;
 };
 
@@ -44,6 +46,14 @@ struct IsolatedContours
   Index Count() const { return static_cast<Index>(this->Axis.size()); }
 };
 
+/// What the contours of Contours are, without their vertices.
+struct ContourList
+{
+  std::vector<std::int8_t> Axis;
+  std::vector<Index> Plane;
+  std::vector<std::int64_t> Cell;
+};
+
 struct Reconstruction
 {
   std::vector<Problem> Invalid;  ///< open, off their plane or not finite: left out
@@ -52,6 +62,7 @@ struct Reconstruction
   std::array<Index, 3> ContourCount{ 0, 0, 0 }; ///< usable contours of each axis
   bool Stopped = false;                         ///< Execution::Continue returned false
 
+  double Diagonal = 0.0; ///< of the bounding box of all contours
   SpatialGrid Grid;
   Crossings Lattice;
   NodePoints Nodes;
@@ -59,9 +70,16 @@ struct Reconstruction
   IsolatedContours Isolated;
   Cycles Polygons;
   Patches Surface;
-  Reconciliation Reconciled;
-  std::vector<RedrawnFace> Redrawn;
+
+  /// The report: what the slices disagreed on, and what was done about it.
+  Reconciliation Reconciled;   ///< its repairs are moved to Repairs
+  std::vector<Repair> Repairs; ///< of all stages
+  SliceAgreement Agreement;
+  ContourList Members; ///< of Agreement.OfContour
 };
+
+/// Number of node points at which the two contours are farther apart than the tolerance.
+Index CountDisagreements(const Reconstruction& result, double tolerance);
 
 /**
  * Surface reconstruction from orthogonal slices after R. Svitak and V. Skala, "Robust Surface
@@ -74,6 +92,7 @@ struct Reconstruction
  *   ReconcileSlices     contradictions between the slices removed                (our own)
  *   PairNodePoints      crossings on one edge -> node points                     (section 4.2)
  *   BuildNodeGraph      node points and arcs: graph G, components                (section 4.1)
+ *   MeasureAgreement    disagreement of contours and slices: the report          (our own)
  *   EmbedArcs           arcs that cross on a face of M are drawn anew            (our own)
  *   TraceCycles         cycles of G in each cell: spatial polygons               (section 4.3)
  *   LocateCentralPoints central point of each polygon                            (section 5)

@@ -338,7 +338,8 @@ void CellShells::AddRegion(
   const int v = upper ? SecondAxis(axis) : FirstAxis(axis);
   const Index size = static_cast<Index>(member.Border.size());
   // Shell points: the copies of the border, then the eight corners.
-  const auto shellPoint = [&](Index place) {
+  const auto shellPoint = [&](Index place)
+  {
     const Index vertex = vertices[place];
     return vertex >= 0 ? vertex : size + (-1 - vertex);
   };

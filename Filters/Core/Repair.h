@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesRepair_h
+#define OrthoSlicesRepair_h
+
+#include "Types.h"
+
+namespace orthoslices
+{
+/// What was done to make a closed surface of contradictory contours. The numbers are part of the output.
+enum class RepairKind
+{
+  VertexRelabelled = 3, ///< a slice was overruled on whether a vertex of M is inside
+  CrossingsSnipped = 4, ///< two crossings that the other slice does not have were taken out
+  ArcsRedrawn = 5,      ///< arcs that crossed or touched on a face of M were drawn anew
+  ArcsReconnected = 6,  ///< the same, and their ends were joined in another way
+  PatchesSeparated = 7  ///< patches that crossed within a cell became shells
+};
+
+/**
+ * A repair and its place. Size, in world units: distance from the vertex to the overruled slice's nearest
+ * crossing (plane spacing if there is none); distance of the two crossings; length of the new arcs;
+ * length of the border of the patch.
+ */
+struct Repair
+{
+  RepairKind Kind;
+  int Axis;    ///< of the slice that was changed; -1 for patches
+  Index Plane; ///< of that slice; -1 for patches
+  Point3
+    Where; ///< the vertex, the middle of the crossings, the middle of the new arcs or of the border
+  double Size;
+};
+
+/// Trust in the slices of each axis: not negative, not all zero.
+using AxisWeights = std::array<double, 3>;
+}
+
+#endif

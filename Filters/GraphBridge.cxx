@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyDataBridge.h"
+#include "WritePoints.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace orthoslices
+{
+namespace
+{
+/// Values of the array "Kind" below those of RepairKind.
+constexpr int NodeKind = 0;
+constexpr int ArcKind = 1;
+constexpr int IsolatedKind = 2;
+
+/// Writes the cells of port 1 with their arrays: node points, repairs, arcs, isolated contours.
+class GraphWriter
+{
+public:
+  GraphWriter(const Reconstruction& result, vtkPolyData* graph);
+
+  void AddNodes();
+  void AddRepairs();
+  void AddArcs();
+  void AddIsolated();
+
+private:
+  void AddArc(Index arc);
+  /// The values of one cell, in the order of the arrays.
+  struct Row
+  {
+    int Kind;
+    double Disagreement;
+    int Axis;
+    int Plane;
+    double Length;
+    int Component;
+    double RepairSize;
+  };
+  void AddRow(const Row& row);
+  double SumLength(vtkIdType count, const vtkIdType* ids) const;
+
+  const Reconstruction& Result;
+  vtkPolyData* Graph;
+  GridEdgeCode Code;
+  std::vector<vtkIdType> Ids; ///< points of the line that is being written
+  vtkNew<vtkCellArray> Verts, Lines;
+  vtkNew<vtkDoubleArray> Disagreement, Length;
+  vtkNew<vtkFloatArray> RepairSize;
+  vtkNew<vtkUnsignedCharArray> Kind;
+  vtkNew<vtkIntArray> SliceAxis, SlicePlane, ComponentId;
+};
+
+GraphWriter::GraphWriter(const Reconstruction& result, vtkPolyData* graph)
+  : Result(result)
+  , Graph(graph)
+  , Code(result.Grid)
+{
+  this->Kind->SetName("Kind");
+  this->Disagreement->SetName("Disagreement");
+  this->SliceAxis->SetName("SliceAxis");
+  this->SlicePlane->SetName("SlicePlane");
+  this->Length->SetName("Length");
+  this->ComponentId->SetName("ComponentId");
+  this->RepairSize->SetName("RepairSize");
+  const vtkIdType cells = vtkIdType(result.Graph.Nodes) + result.Lattice.Count() +
+    result.Isolated.Count() + static_cast<vtkIdType>(result.Repairs.size());
+  vtkDataArray* arrays[] = { this->Kind, this->Disagreement, this->SliceAxis, this->SlicePlane,
+    this->Length, this->ComponentId, this->RepairSize };
+  for (vtkDataArray* array : arrays)
+  {
+    array->Allocate(cells);
+    graph->GetCellData()->AddArray(array);
+  }
+  const vtkIdType ids = vtkIdType(result.Graph.Count()) + 2 * vtkIdType(result.Lattice.Count());
+  if (ids < std::numeric_limits<std::int32_t>::max())
+  {
+    this->Verts->Use32BitStorage();
+    this->Lines->Use32BitStorage();
+  }
+  const vtkIdType verts = result.Graph.Nodes + static_cast<vtkIdType>(result.Repairs.size());
+  this->Verts->AllocateExact(verts, verts);
+  this->Lines->AllocateExact(result.Lattice.Count() + result.Isolated.Count(),
+    ids + result.Isolated.Count() + static_cast<vtkIdType>(result.Isolated.Points.size() / 3));
+  graph->SetVerts(this->Verts);
+  graph->SetLines(this->Lines);
+}
+
+void GraphWriter::AddRow(const Row& row)
+{
+  this->Kind->InsertNextValue(static_cast<unsigned char>(row.Kind));
+  this->Disagreement->InsertNextValue(row.Disagreement);
+  this->SliceAxis->InsertNextValue(row.Axis);
+  this->SlicePlane->InsertNextValue(row.Plane);
+  this->Length->InsertNextValue(row.Length);
+  this->ComponentId->InsertNextValue(row.Component);
+  this->RepairSize->InsertNextValue(static_cast<float>(row.RepairSize));
+}
+
+void GraphWriter::AddNodes()
+{
+  for (vtkIdType node = 0; node < this->Result.Graph.Nodes; ++node)
+  {
+    this->Verts->InsertNextCell(1, &node);
+    const Index index = static_cast<Index>(node);
+    const double disagreement = NodeDisagreement(this->Result.Lattice, this->Result.Nodes, index);
+    this->AddRow({ NodeKind, disagreement, -1, -1, 0.0, this->Result.Graph.Component[index], 0.0 });
+  }
+}
+
+void GraphWriter::AddRepairs()
+{
+  vtkIdType point =
+    this->Graph->GetNumberOfPoints() - static_cast<vtkIdType>(this->Result.Repairs.size());
+  for (const Repair& repair : this->Result.Repairs)
+  {
+    this->Verts->InsertNextCell(1, &point);
+    ++point;
+    this->AddRow(
+      { static_cast<int>(repair.Kind), 0.0, repair.Axis, repair.Plane, 0.0, -1, repair.Size });
+  }
+}
+
+double GraphWriter::SumLength(vtkIdType count, const vtkIdType* ids) const
+{
+  double length = 0.0;
+  double a[3], b[3];
+  for (vtkIdType i = 1; i < count; ++i)
+  {
+    this->Graph->GetPoint(ids[i - 1], a);
+    this->Graph->GetPoint(ids[i], b);
+    length += std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+  }
+  return length;
+}
+
+void GraphWriter::AddArc(Index arc)
+{
+  const Crossings& crossings = this->Result.Lattice;
+  const NodeGraph& graph = this->Result.Graph;
+  const Index start = this->Result.Nodes.NodeOf[arc];
+  this->Ids.assign(1, start);
+  for (Index i = 0; i < graph.PointCount(arc); ++i)
+  {
+    this->Ids.push_back(graph.FirstPoint(arc) + i);
+  }
+  this->Ids.push_back(this->Result.Nodes.NodeOf[crossings.Next[arc]]);
+  const vtkIdType count = static_cast<vtkIdType>(this->Ids.size());
+  this->Lines->InsertNextCell(count, this->Ids.data());
+  const GridEdge edge = this->Code.Decode(crossings.Edge[arc]);
+  const bool first = crossings.Family[arc] == 0;
+  this->AddRow({ ArcKind, 0.0, first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction),
+    first ? edge.First : edge.Second, this->SumLength(count, this->Ids.data()),
+    graph.Component[start], 0.0 });
+}
+
+void GraphWriter::AddArcs()
+{
+  for (Index arc = 0; arc < this->Result.Lattice.Count(); ++arc)
+  {
+    if (!this->Result.Lattice.IsRemoved(arc))
+    {
+      this->AddArc(arc);
+    }
+  }
+}
+
+void GraphWriter::AddIsolated()
+{
+  const IsolatedContours& isolated = this->Result.Isolated;
+  for (Index i = 0; i < isolated.Count(); ++i)
+  {
+    this->Ids.clear();
+    for (Index p = isolated.Offsets[i]; p < isolated.Offsets[i + 1]; ++p)
+    {
+      this->Ids.push_back(vtkIdType(this->Result.Graph.Count()) + p);
+    }
+    this->Ids.push_back(this->Ids.front());
+    const vtkIdType count = static_cast<vtkIdType>(this->Ids.size());
+    this->Lines->InsertNextCell(count, this->Ids.data());
+    this->AddRow({ IsolatedKind, 0.0, isolated.Axis[i], isolated.Plane[i],
+      this->SumLength(count, this->Ids.data()), -1, 0.0 });
+  }
+}
+}
+
+void WriteGraph(const Reconstruction& result, bool doublePrecision, vtkPolyData* graph)
+{
+  std::vector<double> others = result.Isolated.Points;
+  for (const Repair& repair : result.Repairs)
+  {
+    others.insert(others.end(), repair.Where.begin(), repair.Where.end());
+  }
+  const vtkIdType graphPoints = result.Graph.Count();
+  auto points = NewPoints(doublePrecision, graphPoints + static_cast<vtkIdType>(others.size() / 3));
+  CopyPoints(result.Graph.Points, 0, points);
+  CopyPoints(others, graphPoints, points);
+  graph->SetPoints(points);
+  GraphWriter writer(result, graph);
+  writer.AddNodes();
+  writer.AddRepairs();
+  writer.AddArcs();
+  writer.AddIsolated();
+}
+}

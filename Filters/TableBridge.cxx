@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolyDataBridge.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+void WriteHistogram(const Reconstruction& result, vtkTable* table)
+{
+  const std::vector<Index> histogram = CountPolygonSizes(result.Polygons);
+  vtkNew<vtkIdTypeArray> size;
+  vtkNew<vtkIdTypeArray> count;
+  size->SetName("PolygonSize");
+  count->SetName("Count");
+  const auto smallest =
+    std::find_if(histogram.begin(), histogram.end(), [](Index n) { return n > 0; });
+  for (auto i = smallest; i != histogram.end(); ++i)
+  {
+    size->InsertNextValue(i - histogram.begin());
+    count->InsertNextValue(*i);
+  }
+  table->AddColumn(size);
+  table->AddColumn(count);
+}
+
+namespace
+{
+/// A table that is filled row by row; all columns are double but those that count.
+template <typename Array>
+Array* AddColumn(vtkTable* table, const char* name)
+{
+  vtkNew<Array> column;
+  column->SetName(name);
+  table->AddColumn(column);
+  return column; // owned by the table from here on
+}
+
+/// The columns that both tables end with.
+struct AgreementColumns
+{
+  explicit AgreementColumns(vtkTable* table)
+    : NodePoints(AddColumn<vtkIdTypeArray>(table, "NodePoints"))
+    , RootMeanSquare(AddColumn<vtkDoubleArray>(table, "RmsDisagreement"))
+    , Greatest(AddColumn<vtkDoubleArray>(table, "MaxDisagreement"))
+  {
+  }
+  void Add(const Agreement& agreement)
+  {
+    this->NodePoints->InsertNextValue(agreement.NodePoints);
+    this->RootMeanSquare->InsertNextValue(agreement.RootMeanSquare());
+    this->Greatest->InsertNextValue(agreement.Greatest);
+  }
+
+  vtkIdTypeArray* NodePoints;
+  vtkDoubleArray* RootMeanSquare;
+  vtkDoubleArray* Greatest;
+};
+}
+
+void WriteContourTable(const Reconstruction& result, vtkTable* table)
+{
+  auto* port = AddColumn<vtkIntArray>(table, "Port");
+  auto* cell = AddColumn<vtkIdTypeArray>(table, "Cell");
+  auto* plane = AddColumn<vtkIntArray>(table, "SlicePlane");
+  auto* coordinate = AddColumn<vtkDoubleArray>(table, "PlaneCoordinate");
+  AgreementColumns columns(table);
+  for (std::size_t i = 0; i < result.Members.Cell.size(); ++i)
+  {
+    const int axis = result.Members.Axis[i];
+    port->InsertNextValue(axis);
+    cell->InsertNextValue(result.Members.Cell[i]);
+    plane->InsertNextValue(result.Members.Plane[i]);
+    coordinate->InsertNextValue(result.Grid.Planes[axis][result.Members.Plane[i]]);
+    columns.Add(result.Agreement.OfContour[i]);
+  }
+}
+
+void WriteSliceTable(const Reconstruction& result, vtkTable* table)
+{
+  auto* axes = AddColumn<vtkIntArray>(table, "SliceAxis");
+  auto* planes = AddColumn<vtkIntArray>(table, "SlicePlane");
+  auto* coordinate = AddColumn<vtkDoubleArray>(table, "PlaneCoordinate");
+  AgreementColumns columns(table);
+  vtkDoubleArray* shift[3] = { AddColumn<vtkDoubleArray>(table, "ShiftX"),
+    AddColumn<vtkDoubleArray>(table, "ShiftY"), AddColumn<vtkDoubleArray>(table, "ShiftZ") };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (Index plane = 0; plane < result.Grid.Count(axis); ++plane)
+    {
+      axes->InsertNextValue(axis);
+      planes->InsertNextValue(plane);
+      coordinate->InsertNextValue(result.Grid.Planes[axis][plane]);
+      columns.Add(result.Agreement.OfPlane[axis][plane]);
+      for (int i = 0; i < 3; ++i)
+      {
+        shift[i]->InsertNextValue(result.Agreement.Shift[axis][plane][i]);
+      }
+    }
+  }
+}
+}
