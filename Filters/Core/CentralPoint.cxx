@@ -362,6 +362,29 @@ Point3 PolygonCenter::LeastSquares()
 }
 }
 
+namespace
+{
+/// The direction to the right of a contour on a slice across `axis`, where outside lies.
+Point3 RightOf(const Point3& along, int axis)
+{
+  Point3 up{ 0.0, 0.0, 0.0 };
+  up[axis] = 1.0;
+  return Cross(along, up);
+}
+
+/// Normal from two tangents; zero where the contours do not agree on which side is outside.
+Point3 OutwardNormal(const Point3& first, int firstAxis, const Point3& second, int secondAxis)
+{
+  const Point3 normal = Cross(first, second);
+  const double outwards = Dot(normal, RightOf(first, firstAxis));
+  if (!(outwards * Dot(normal, RightOf(second, secondAxis)) > 0.0))
+  {
+    return { 0.0, 0.0, 0.0 };
+  }
+  return outwards > 0.0 ? normal : -1.0 * normal;
+}
+}
+
 std::vector<double> ComputeNodeNormals(const Contours& contours, const SpatialGrid& grid,
   const Crossings& crossings, const NodePoints& nodes, const Execution& execution)
 {
@@ -374,17 +397,9 @@ std::vector<double> ComputeNodeNormals(const Contours& contours, const SpatialGr
       for (std::size_t node = begin; node < end; ++node)
       {
         const Index first = nodes.First[node];
-        const Index second = nodes.Second[node];
-        const Point3 along = tangent(first);
-        Point3 normal = Cross(along, tangent(second));
-        // Outside lies to the right of the contour: along x (axis of its slice).
-        const int axis = FirstAxis(code.Decode(crossings.Edge[first]).Direction);
-        Point3 up{ 0.0, 0.0, 0.0 };
-        up[axis] = 1.0;
-        if (Dot(normal, Cross(along, up)) < 0.0)
-        {
-          normal = -1.0 * normal;
-        }
+        const int t = code.Decode(crossings.Edge[first]).Direction;
+        const Point3 normal =
+          OutwardNormal(tangent(first), FirstAxis(t), tangent(nodes.Second[node]), SecondAxis(t));
         std::copy(normal.begin(), normal.end(), normals.begin() + 3 * node);
       }
     });

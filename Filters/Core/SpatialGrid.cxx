@@ -85,29 +85,39 @@ void MergePlane(Contours& contours, const std::vector<Index>& order, std::size_t
 
 namespace
 {
-/// Sets the steps of the precision from the coordinates of all contours.
-void FindSteps(const Contours& contours, SpatialGrid& grid)
+/// Sets the steps of the precision and the extents from the coordinates of all contours.
+void FindExtent(const Contours& contours, SpatialGrid& grid)
 {
-  Point3 largest{ 0.0, 0.0, 0.0 };
+  Point3 low, high;
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  const auto extend = [&](int axis, double x)
+  {
+    low[axis] = std::min(low[axis], x);
+    high[axis] = std::max(high[axis], x);
+  };
   for (Index i = 0; i < contours.Count(); ++i)
   {
     const int axis = contours.Axis[i];
-    largest[axis] = std::max(largest[axis], std::abs(contours.Coordinate[i]));
-    const auto extend = [&](double& most, const std::vector<double>& values)
+    extend(axis, contours.Coordinate[i]);
+    for (Index v = contours.Offsets[i]; v < contours.Offsets[i + 1]; ++v)
     {
-      for (Index v = contours.Offsets[i]; v < contours.Offsets[i + 1]; ++v)
-      {
-        most = std::max(most, std::abs(values[v]));
-      }
-    };
-    extend(largest[FirstAxis(axis)], contours.U);
-    extend(largest[SecondAxis(axis)], contours.V);
+      extend(FirstAxis(axis), contours.U[v]);
+      extend(SecondAxis(axis), contours.V[v]);
+    }
   }
-  for (int axis = 0; axis < 3; ++axis)
+  const double epsilon = grid.SinglePrecision ? std::numeric_limits<float>::epsilon()
+                                              : std::numeric_limits<double>::epsilon();
+  double longest = 0.0;
+  for (int axis = 0; axis < 3 && contours.Count() > 0; ++axis)
   {
-    grid.Step[axis] = largest[axis] *
-      (grid.SinglePrecision ? std::numeric_limits<float>::epsilon()
-                            : std::numeric_limits<double>::epsilon());
+    grid.Step[axis] = epsilon * std::max(std::abs(low[axis]), std::abs(high[axis]));
+    grid.Extent[axis] = high[axis] - low[axis];
+    longest = std::max(longest, grid.Extent[axis]);
+  }
+  for (double& extent : grid.Extent)
+  {
+    extent = extent > 0.0 ? extent : longest;
   }
 }
 }
@@ -116,7 +126,7 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
 {
   SpatialGrid grid;
   grid.SinglePrecision = singlePrecision;
-  FindSteps(contours, grid);
+  FindExtent(contours, grid);
   contours.Plane.assign(contours.Count(), 0);
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -28,6 +28,8 @@ struct SpatialGrid
   bool SinglePrecision = false;
   /// Distance of neighbouring numbers of the precision at the largest coordinate of each axis.
   Point3 Step{ 0.0, 0.0, 0.0 };
+  /// Of all contours along each axis; that of the longest axis where it is zero.
+  Point3 Extent{ 0.0, 0.0, 0.0 };
 
   Index Count(int axis) const { return static_cast<Index>(this->Planes[axis].size()); }
 
@@ -74,11 +76,12 @@ struct SpatialGrid
   /// The ends of a slab; an unbounded one ends one mean spacing beyond the range [least, most].
   void GetExtent(int axis, Index slab, double least, double most, double& low, double& high) const;
 
-  /// Mean distance of consecutive planes; 0 for fewer than two planes.
+  /// Mean distance of consecutive planes; the extent of all contours where there is only one plane.
   double MeanSpacing(int axis) const
   {
     const auto& planes = this->Planes[axis];
-    return planes.size() < 2 ? 0.0 : (planes.back() - planes.front()) / (planes.size() - 1.0);
+    return planes.size() < 2 ? this->Extent[axis]
+                             : (planes.back() - planes.front()) / (planes.size() - 1.0);
   }
 };
 
