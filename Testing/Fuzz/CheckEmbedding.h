@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   whether triangles meet in common edges and vertices only, decided exactly
+ *
+ * A checker of its own: no code, no predicate and no search structure of the reconstruction, and no
+ * library either. Every sign is exact, whatever the coordinates, as long as no product of three of
+ * them leaves the range of double.
+ */
+
+#ifndef OrthoSlicesCheckEmbedding_h
+#define OrthoSlicesCheckEmbedding_h
+
+#include "Support/CheckSurface.h"
+
+namespace orthoslices
+{
+namespace support
+{
+
+/// Two triangles that meet where they must not; the same one twice if it has no area.
+struct Meeting
+{
+  std::int64_t First, Second;
+};
+
+/**
+ * Pairs of triangles with a point in common that is on neither a common edge nor a common vertex,
+ * at most `most` of them. Vertices are common if their ids are the same; two ids at one place are two
+ * vertices, and meet.
+ */
+std::vector<Meeting> FindMeetings(const TriangleMesh& mesh, std::size_t most = 10);
+
+/**
+ * What is wrong with the surface: edges and vertices (G1 to G3) and triangles that meet (G6), with
+ * coordinates. Empty if all is right.
+ */
+std::string DescribeFlaws(const TriangleMesh& mesh);
+
+/// Sign of the determinant of (a - d, b - d, c - d), exactly.
+int ExactOrientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
+
+/// Sign of the area of abc, seen along the axis, exactly.
+int ExactTurn(const Point3& a, const Point3& b, const Point3& c, int axis);
+
+} // namespace support
+} // namespace orthoslices
+
+#endif

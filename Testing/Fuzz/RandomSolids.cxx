@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * RandomSolids COUNT [FIRST [SECONDS]]
+ *
+ * Reconstructs unions of random balls, capsules and tori, from contours that agree and from contours
+ * made contradictory, in both precisions, and checks every surface exactly: closed, 2-manifold,
+ * oriented, embedded. Input number n is the same in every run. Stops after SECONDS if they are given.
+ * A failure is reduced and printed as text; the exit code is 1 then.
+ */
+
+#include "Fuzz/CheckEmbedding.h"
+#include "Fuzz/ReduceInput.h"
+#include "Support/RandomInput.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+/// The coordinates that are left of it in float.
+void RoundToFloat(PieceSets& sets)
+{
+  for (Pieces& pieces : sets)
+  {
+    for (std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
+    {
+      for (double& x : *values)
+      {
+        x = static_cast<float>(x);
+      }
+    }
+  }
+}
+
+Input MakeInput(std::uint64_t number)
+{
+  // Every fourth one agrees.
+  Input input = number % 4 == 0 ? RandomConsistentInput(number) : RandomContradictoryInput(number);
+  if (number / 4 % 2 == 1)
+  {
+    RoundToFloat(input.Sets);
+    input.Settings.SinglePrecision = true;
+  }
+  if (number / 8 % 4 == 1)
+  {
+    input.Settings.Central = CentralPointMethod::Centroid;
+  }
+  return input;
+}
+
+bool Check(std::uint64_t number)
+{
+  const Input input = MakeInput(number);
+  const std::string flaws = FindFlaws(input.Sets, input.Settings);
+  if (flaws.empty())
+  {
+    return true;
+  }
+  std::cout << "Number " << number << ", " << input.Name << ":\n" << flaws;
+  const PieceSets reduced = Reduce(input.Sets, input.Settings);
+  std::cout << "Reduced:\n"
+            << Describe(reduced, input.Settings) << FindFlaws(reduced, input.Settings) << std::endl;
+  return false;
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 2000;
+  const std::uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0;
+  const double most = argc > 3 ? std::strtod(argv[3], nullptr) : HUGE_VAL;
+  const auto start = std::chrono::steady_clock::now();
+  const auto seconds = [start]
+  { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  std::uint64_t done = 0, failures = 0;
+  for (; done < count && seconds() < most && failures < 20; ++done)
+  {
+    failures += Check(first + done) ? 0 : 1;
+    if (done % 1000 == 999)
+    {
+      std::cout << done + 1 << " solids, " << failures << " failures, " << seconds() << " s"
+                << std::endl;
+    }
+  }
+  std::cout << done << " random solids from number " << first << ": " << failures << " failures, "
+            << seconds() << " s" << std::endl;
+  return failures == 0 ? 0 : 1;
+}
