@@ -128,10 +128,9 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  * and off the border of their faces, and patches touch the boundary of their cell in their cycle
  * only. So patches of different cells meet in shared arcs only. A cell is convex: the fan of a
  * cycle around a point strictly inside cannot touch itself. Several patches of one cell are kept
- * apart by SeparatePatches. (Where planes lie only a few dozen steps of the precision apart, rounding may
- * make points coincide.)
- *
- * Runs all stages up to the layout of the triangles; WriteTriangles gives the triangles themselves.
+ * apart by SeparatePatches. (What lies
+ * closer together than a few dozen steps of the precision, planes or contours, may still touch
+ * after rounding.)
  */
 Reconstruction Reconstruct(
   std::array<Pieces, 3>&& pieces, const Options& options, const Execution& execution);
