@@ -15,17 +15,17 @@ class vtkTable;
 namespace orthoslices
 {
 /**
- * Lines and polygons of a port as pieces of contours on slices across `axis`. Ghost cells and cells of
- * fewer than two points are passed over. Cell numbers are those of vtkPolyData (vertices first).
- * Without doublePrecision, coordinates are rounded to float here, so that all stages see
+ * Lines and polygons of a port as pieces of contours on slices across `axis`. Ghost cells and
+ * cells of fewer than two points are passed over. Cell numbers are those of vtkPolyData (vertices
+ * first). Without doublePrecision, coordinates are rounded to float here, so that all stages see
  * the values of the result.
  */
 Pieces ReadPieces(vtkPolyData* input, int axis, bool doublePrecision);
 
 /**
  * Port 0: triangles, cell arrays, normals, field data; see vtkOrthogonalSliceReconstruction.
- * Consumes the result: each part is released as soon as it is written, because this is where memory
- * peaks.
+ * Consumes the result: each part is released as soon as it is written, because this is where
+ * memory peaks.
  */
 void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool doublePrecision,
   bool normals, double reportTolerance, vtkPolyData* surface);

@@ -34,48 +34,51 @@
  * vertices of the arcs, last the central points.
  *  - point data "Normals" (float, 3 components; active normals), if ComputeNormals is on;
  *  - cell data "ComponentId" (int): connected component, numbered from 0;
- *  - cell data "GridCell" (unsigned short, 3 components): the cell of M along x, y, z, where cell i
- *    lies below plane i and above plane i - 1;
+ *  - cell data "GridCell" (unsigned short, 3 components): the cell of M along x, y, z, where cell
+ *    i lies below plane i and above plane i - 1;
  *  - cell data "PolygonSize" (unsigned short): number of node points of the spatial polygon (65535
  *    stands for more);
  *  - field data "NumberOfComponents", "NumberOfContours", "NumberOfIsolatedContours",
  *    "NumberOfCellsWithSeveralCycles", "NumberOfNodePoints", "NumberOfReconciledEdges",
  *    "NumberOfReconciledVertices", "NumberOfRepairs" (vtkIdType, one value each);
- *  - point data "Disagreement" (float): at a node point, the distance of the two contours along the grid
- *    edge in world units; 0 at other points;
- *  - cell data "Repaired" (unsigned char): sum of 1 (a node point of the polygon disagrees by more than
- *    ReportTolerance), 2 (an arc was drawn anew) and 4 (the patch was separated from another).
+ *  - point data "Disagreement" (float): at a node point, the distance of the two contours along
+ *    the grid edge in world units; 0 at other points;
+ *  - cell data "Repaired" (unsigned char): sum of 1 (a node point of the polygon disagrees by
+ *    more than ReportTolerance), 2 (an arc was drawn anew) and 4 (the patch was separated from
+ *    another).
  *
- * Port 1, the graph G and the repairs (vtkPolyData): one vertex cell for each node point, one for each
- * repair, then one polyline for each arc, then one closed polyline for each isolated contour (a contour
- * without node points, which takes no part in the surface). Cell data:
- *  - "Kind" (unsigned char): 0 node point, 1 arc, 2 isolated contour; repairs: 3 a slice was overruled on whether a
- *    vertex of M is inside, 4 two crossings that the other slice does not have were taken out, 5 arcs
- *    that crossed or touched were drawn anew, 6 the same and their ends were joined in another way, 7
- *    patches that crossed within a cell were separated;
+ * Port 1, the graph G and the repairs (vtkPolyData): one vertex cell for each node point, one for
+ * each repair, then one polyline for each arc, then one closed polyline for each isolated contour
+ * (a contour without node points, which takes no part in the surface). Cell data:
+ *  - "Kind" (unsigned char): 0 node point, 1 arc, 2 isolated contour; repairs: 3 a slice was
+ *    overruled on whether a vertex of M is inside, 4 two crossings that the other slice does not
+ *    have were taken out, 5 arcs that crossed or touched were drawn anew, 6 the same and their
+ *    ends were joined in another way, 7 patches that crossed within a cell were separated;
  *  - "Disagreement" (double): at a node point, the distance of the two contours along the grid
  *    edge in world units; 0 elsewhere;
  *  - "SliceAxis" (int): 0, 1, 2 for arcs and repairs on x-, y-, z-slices, else -1;
  *  - "SlicePlane" (int): index of the plane on that axis in ascending order, else -1;
  *  - "Length" (double): length of the arc or isolated contour in world units, else 0;
  *  - "ComponentId" (int): as on port 0; -1 for repairs and isolated contours;
- *  - "RepairSize" (float): in world units, how far the slice's nearest crossing was from the vertex (kind
- *    3), distance of the crossings (4), length of the new arcs (5, 6), of the border of the patch (7).
+ *  - "RepairSize" (float): in world units, how far the slice's nearest crossing was from the
+ *    vertex (kind 3), distance of the crossings (4), length of the new arcs (5, 6), of the border
+ *    of the patch (7).
  *
- * Port 2, the histogram of polygon sizes (vtkTable; the paper's Figure 8): columns "PolygonSize" and
- * "Count" (vtkIdType), one row for every size from the smallest to the largest that occurs.
+ * Port 2, the histogram of polygon sizes (vtkTable; the paper's Figure 8): columns "PolygonSize"
+ * and "Count" (vtkIdType), one row for every size from the smallest to the largest that occurs.
  *
- * Port 3, the contours (vtkTable), one row each: "Port", "SlicePlane" (int), "Cell" (vtkIdType; of a contour made of
- * several cells, one of them), "PlaneCoordinate" (double), and how it agrees with the orthogonal
- * contours: "NodePoints" (vtkIdType), "RmsDisagreement", "MaxDisagreement" (double, world units).
+ * Port 3, the contours (vtkTable), one row each: "Port", "SlicePlane" (int), "Cell" (vtkIdType;
+ * of a contour made of several cells, one of them), "PlaneCoordinate" (double), and how it agrees
+ * with the orthogonal contours: "NodePoints" (vtkIdType), "RmsDisagreement", "MaxDisagreement"
+ * (double, world units).
  *
  * Port 4, the slices (vtkTable), one row for each plane: "SliceAxis", "SlicePlane" (int),
- * "PlaneCoordinate", "NodePoints", "RmsDisagreement", "MaxDisagreement" as above, and "ShiftX", "ShiftY",
- * "ShiftZ" (double): the translation within its plane that would bring the slice closest to the
- * others. A slice that was moved as a whole shows here.
+ * "PlaneCoordinate", "NodePoints", "RmsDisagreement", "MaxDisagreement" as above, and "ShiftX",
+ * "ShiftY", "ShiftZ" (double): the translation within its plane that would bring the slice
+ * closest to the others. A slice that was moved as a whole shows here.
  *
- * In a parallel run the first process reconstructs the whole surface from the whole input; the outputs of the
- * others are empty.
+ * In a parallel run the first process reconstructs the whole surface from the whole input; the
+ * outputs of the others are empty.
  *
  * @section Guarantees Guarantees
  * G1 to G6 in Core/Reconstruct.h: closed, 2-manifold, consistently oriented outwards, contour
@@ -84,11 +87,11 @@
  *
  * @section Errors Errors
  * A port without contours, an open contour, a contour that leaves its plane by more than the
- * tolerance, and coordinates that are not finite are reported with port, cell and coordinate: as errors
- * with empty outputs (InvalidContours = REFUSE), or in one warning (LEAVE_OUT). So are contours that cross
- * themselves or each other within one slice (CrossingContours), which by default are repaired.
- * Where the three families contradict each other, one warning says so and the "Disagreement"
- * array shows where.
+ * tolerance, and coordinates that are not finite are reported with port, cell and coordinate: as
+ * errors with empty outputs (InvalidContours = REFUSE), or in one warning (LEAVE_OUT). So are
+ * contours that cross themselves or each other within one slice (CrossingContours), which by
+ * default are repaired. Where the three families contradict each other, one warning says so and
+ * the "Disagreement" array shows where.
  *
  * @sa vtkOrthogonalSlicer vtkRuledSurfaceFilter vtkCutter
  */
@@ -156,8 +159,8 @@ public:
 
   ///@{
   /**
-   * What happens to contours that are open, off their plane or not finite: the input is refused with an
-   * error (default), or they are left out with a warning.
+   * What happens to contours that are open, off their plane or not finite: the input is refused
+   * with an error (default), or they are left out with a warning.
    */
   vtkSetClampMacro(InvalidContours, int, REFUSE, LEAVE_OUT);
   vtkGetMacro(InvalidContours, int);
@@ -167,9 +170,9 @@ public:
 
   ///@{
   /**
-   * What happens to contours that cross themselves or another contour of their slice: they are repaired
-   * where they cross, with a warning (default), the input is refused with an error, or they are left out
-   * with a warning.
+   * What happens to contours that cross themselves or another contour of their slice: they are
+   * repaired where they cross, with a warning (default), the input is refused with an error, or
+   * they are left out with a warning.
    */
   vtkSetClampMacro(CrossingContours, int, REPAIR_CROSSING, LEAVE_OUT_CROSSING);
   vtkGetMacro(CrossingContours, int);
@@ -191,9 +194,9 @@ public:
 
   ///@{
   /**
-   * Trust in the x-, y- and z-slices where they contradict each other: a node point is the weighted mean of
-   * its two contours, and the heavier side decides whether a grid vertex is inside. Default
-   * 1, 1, 1; not negative; all zero counts as all one.
+   * Trust in the x-, y- and z-slices where they contradict each other: a node point is the
+   * weighted mean of its two contours, and the heavier side decides whether a grid vertex is
+   * inside. Default 1, 1, 1; not negative; all zero counts as all one.
    */
   vtkSetVector3Macro(AxisWeights, double);
   vtkGetVector3Macro(AxisWeights, double);
@@ -201,9 +204,9 @@ public:
 
   ///@{
   /**
-   * Distance of two contours at a node point above which it is counted in the warning and marked in
-   * the array "Repaired", as a fraction of the diagonal of the bounding box of all inputs. Default
-   * 1e-3, range 0 to 1.
+   * Distance of two contours at a node point above which it is counted in the warning and marked
+   * in the array "Repaired", as a fraction of the diagonal of the bounding box of all inputs.
+   * Default 1e-3, range 0 to 1.
    */
   vtkSetClampMacro(ReportTolerance, double, 0.0, 1.0);
   vtkGetMacro(ReportTolerance, double);
@@ -229,8 +232,8 @@ public:
 
   ///@{
   /**
-   * The graph G (port 1), the histogram of polygon sizes (port 2), and the tables of contours (port 3)
-   * and slices (port 4).
+   * The graph G (port 1), the histogram of polygon sizes (port 2), and the tables of contours
+   * (port 3) and slices (port 4).
    */
   vtkPolyData* GetGraphOutput();
   vtkTable* GetHistogramOutput();

@@ -49,7 +49,8 @@ constexpr double MaximumPlanes = 100000;
 constexpr double DirectionTolerance = 1e-6;
 
 //----------------------------------------------------------------------------
-/// Planes are cut in a few batches; between them progress is reported and abort requests are heard.
+/// Planes are cut in a few batches; between them progress is reported and abort requests are
+/// heard.
 Execution MakeExecution(vtkAlgorithm* filter, double firstProgress, double lastProgress)
 {
   Execution execution;

@@ -27,28 +27,28 @@
  * closed polyline whose last point id is its first. Seen from the positive end of the axis the
  * interior lies on the left: outer boundaries run counter-clockwise, holes clockwise. The points'
  * coordinate along the axis is exactly the plane's. Contours are ordered by plane.
- *  - cell data "PlaneIndex" (int): index of the plane on this axis in ascending order, where planes
- *    without contours count;
+ *  - cell data "PlaneIndex" (int): index of the plane on this axis in ascending order, where
+ *    planes without contours count;
  *  - cell data "PlaneCoordinate" (double): the plane's coordinate;
  *  - field data "PlaneCoordinates" (double): coordinates of all planes of this axis, ascending.
  *
  * @section Planes Planes
- * For a surface the planes lie where PlaneMode says, between the bounds lo and hi of its triangles.
- * For an image, lo and hi are its first and last sample on the axis, and every plane moves
- * to the nearest sample (to the upper one of two), at most to the first or last; explicit
- * coordinates more than half a sample spacing beyond these are dropped. Planes that coincide count
- * once. With float output (OutputPointsPrecision) the planes are rounded to float first and the cut
- * is made there.
+ * For a surface the planes lie where PlaneMode says, between the bounds lo and hi of its
+ * triangles. For an image, lo and hi are its first and last sample on the axis, and every plane
+ * moves to the nearest sample (to the upper one of two), at most to the first or last; explicit
+ * coordinates more than half a sample spacing beyond these are dropped. Planes that coincide
+ * count once. With float output (OutputPointsPrecision) the planes are rounded to float first and
+ * the cut is made there.
  *
  * @section Guarantees Guarantees
  * The rule that a point is above a plane when its coordinate is at least the plane's leaves no
  * singular positions: a surface that touches a plane or lies in it is cut as infinitesimally below
  * the plane.
  *  1. Every contour is closed and oriented, whatever the input's position.
- *  2. Contours of one slice neither cross nor touch themselves or each other as long as the surface
- *     does not and points are wider apart than the rounding of their coordinates. For this,
- *     contour vertices keep a distance from the ends of the mesh or grid edge they lie on: at
- *     most 2e-10 of the surface's largest coordinate (3e-7 for float output), and 1e-4 of an
+ *  2. Contours of one slice neither cross nor touch themselves or each other as long as the
+ *     surface does not and points are wider apart than the rounding of their coordinates. For
+ *     this, contour vertices keep a distance from the ends of the mesh or grid edge they lie on:
+ *     at most 2e-10 of the surface's largest coordinate (3e-7 for float output), and 1e-4 of an
  *     image's sample spacing.
  *  3. Contours of two orthogonal slices cross at the same point: for an image they share that
  *     vertex exactly; for a surface the difference is of the order of rounding and of the

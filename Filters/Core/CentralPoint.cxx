@@ -36,8 +36,8 @@ constexpr double TangentWindow = 0.1;
 
 /**
  * Tangent of a contour at a crossing in its slice (u, v), of unit length: derivative of the
- * parabola through the crossing and one vertex on each side of it, at least `window` away where the
- * contour goes so far.
+ * parabola through the crossing and one vertex on each side of it, at least `window` away where
+ * the contour goes so far.
  */
 class ContourTangent
 {
@@ -230,9 +230,9 @@ private:
 };
 
 /**
- * Least distance of a central point from the faces of its cell, as a part of the cell's width. A cell is
- * convex, so that the rays from a point strictly inside to the points of its boundary meet nowhere
- * else: the fan of a polygon without crossings has none either.
+ * Least distance of a central point from the faces of its cell, as a part of the cell's width. A
+ * cell is convex, so that the rays from a point strictly inside to the points of its boundary
+ * meet nowhere else: the fan of a polygon without crossings has none either.
  */
 constexpr double InnerMargin = 1e-3;
 

@@ -15,9 +15,10 @@ enum class CentralPointMethod
 };
 
 /**
- * Surface normals at the node points, x, y, z of each, pointing outwards. Two contours cross there,
- * so the normal is the cross product of their tangents: known, not estimated (our own addition).
- * Its length is the sine of the angle between the tangents, and 0 where a tangent is unknown.
+ * Surface normals at the node points, x, y, z of each, pointing outwards. Two contours cross
+ * there, so the normal is the cross product of their tangents: known, not estimated (our own
+ * addition). Its length is the sine of the angle between the tangents, and 0 where a tangent is
+ * unknown.
  */
 std::vector<double> ComputeNodeNormals(const Contours& contours, const SpatialGrid& grid,
   const Crossings& crossings, const NodePoints& nodes, const Execution& execution);

@@ -59,7 +59,7 @@ public:
   {
   }
 
-  std::vector<Repair> Run(const Execution& execution);
+  std::vector<Repair> Run(const Execution& execution, const std::vector<Index>& forced);
 
 private:
   using Group = std::pair<const ArcInFace*, const ArcInFace*>;
@@ -231,7 +231,8 @@ bool ArcEmbedder::IsSimple(const Face& face, Group arcs) const
 
 BorderEnd ArcEmbedder::EndOnBorder(Index crossing, bool isStart) const
 {
-  // An arc that starts upwards starts at the lower border; one that ends upwards ends at the upper one.
+  // An arc that starts upwards starts at the lower border; one that ends upwards ends at the
+  // upper one.
   const bool lower = (this->Lattice.Direction[crossing] > 0) == isStart;
   const bool acrossU = this->Lattice.Family[crossing] == 0;
   const int edge = acrossU ? (lower ? 3 : 1) : (lower ? 0 : 2);
@@ -414,7 +415,7 @@ void ArcEmbedder::Replace(const NewArcs& redrawn)
   std::vector<double> points(this->Graph.Points.begin(), nodesEnd);
   points.reserve(this->Graph.Points.size() + 3 * redrawn.Points.size());
   std::vector<Index> offsets(1, 0);
-  this->Graph.Redrawn.assign(this->Lattice.Count(), 0);
+  this->Graph.Redrawn.resize(this->Lattice.Count(), 0);
   for (Index arc = 0; arc < this->Lattice.Count(); ++arc)
   {
     if (newArc[arc] == none)
@@ -437,8 +438,19 @@ void ArcEmbedder::Replace(const NewArcs& redrawn)
   this->Graph.Offsets.swap(offsets);
 }
 
-std::vector<Repair> ArcEmbedder::Run(const Execution& execution)
+std::vector<Repair> ArcEmbedder::Run(const Execution& execution, const std::vector<Index>& forced)
 {
+  std::vector<std::uint8_t> isForced(forced.empty() ? 0 : this->Lattice.Count(), 0);
+  for (const Index arc : forced)
+  {
+    isForced[arc] = 1;
+  }
+  const auto anyForced = [&](Group arcs)
+  {
+    return !isForced.empty() &&
+      std::any_of(
+        arcs.first, arcs.second, [&](const ArcInFace& arc) { return isForced[arc.Arc] != 0; });
+  };
   const std::vector<ArcInFace> arcs = this->SortByFace();
   std::vector<std::size_t> groups;
   for (std::size_t i = 0; i < arcs.size(); ++i)
@@ -462,7 +474,7 @@ std::vector<Repair> ArcEmbedder::Run(const Execution& execution)
         {
           this->MoveInside(face, arc->Arc);
         }
-        simple[g] = this->IsSimple(face, group(g));
+        simple[g] = !anyForced(group(g)) && this->IsSimple(face, group(g));
       }
     });
   std::vector<Repair> repairs;
@@ -486,8 +498,9 @@ std::vector<Repair> ArcEmbedder::Run(const Execution& execution)
 }
 
 std::vector<Repair> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
-  const Execution& execution, Crossings& crossings, NodeGraph& graph)
+  const Execution& execution, Crossings& crossings, NodeGraph& graph,
+  const std::vector<Index>& forced)
 {
-  return ArcEmbedder(grid, nodes, crossings, graph).Run(execution);
+  return ArcEmbedder(grid, nodes, crossings, graph).Run(execution, forced);
 }
 }

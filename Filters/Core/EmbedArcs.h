@@ -8,9 +8,9 @@
 namespace orthoslices
 {
 /**
- * Makes the arcs of every face of M simple curves that do not touch each other, strictly inside the
- * face but for their ends (our own addition; contours that do not cross have such arcs from the
- * start).
+ * Makes the arcs of every face of M simple curves that do not touch each other, strictly inside
+ * the face but for their ends (our own addition; contours that do not cross have such arcs from
+ * the start).
  *
  *  - Vertices on the border of their face move inside by the grid's Margin.
  *  - Faces whose arcs may still touch (contours that cross or touch, nodes moved far by
@@ -19,11 +19,12 @@ namespace orthoslices
  *    beneath it, so that no two can meet. If the ends of the arcs interlock, they are joined anew
  *    first, neighbour to neighbour.
  *
- * Other faces keep every vertex. Returns one repair for each face that was drawn anew, and marks its
- * arcs in NodeGraph::Redrawn.
+ * Other faces keep every vertex. `forced` lists arcs whose faces are drawn anew in any case.
+ * Returns one repair for each face that was drawn anew, and marks its arcs in NodeGraph::Redrawn.
  */
 std::vector<Repair> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
-  const Execution& execution, Crossings& crossings, NodeGraph& graph);
+  const Execution& execution, Crossings& crossings, NodeGraph& graph,
+  const std::vector<Index>& forced = {});
 }
 
 #endif

@@ -7,7 +7,8 @@
 
 namespace orthoslices
 {
-/// How far contours lie from the orthogonal contours that they meet in node points, along the grid edges.
+/// How far contours lie from the orthogonal contours that they meet in node points, along the
+/// grid edges.
 struct Agreement
 {
   Index NodePoints = 0;
@@ -21,10 +22,10 @@ struct Agreement
 /**
  * Agreement of every contour and of every slice with the orthogonal families.
  *
- * Shift is the translation of a whole slice within its plane that would bring it closest to the others, by least
- * squares over its node points: the disagreement along the edge is explained by a movement along the
- * contour's normal. It shows a slice that was moved as a whole (a patient who moved), while noise
- * averages out.
+ * Shift is the translation of a whole slice within its plane that would bring it closest to the
+ * others, by least squares over its node points: the disagreement along the edge is explained by
+ * a movement along the contour's normal. It shows a slice that was moved as a whole (a patient
+ * who moved), while noise averages out.
  */
 struct SliceAgreement
 {

@@ -30,9 +30,9 @@ struct NodeGraph
 
 /**
  * Builds G. Contour vertices at the place of their own crossing are the node point and are not
- * repeated. Where the two contours of a node point disagree by more than `tolerance`, the vertices of the
- * arcs beside it move with it within their planes, less and less along the arc; elsewhere they stay as they
- * are, bit for bit.
+ * repeated. Where the two contours of a node point disagree by more than `tolerance`, the
+ * vertices of the arcs beside it move with it within their planes, less and less along the arc;
+ * elsewhere they stay as they are, bit for bit.
  */
 NodeGraph BuildNodeGraph(const Contours& contours, const SpatialGrid& grid,
   const Crossings& crossings, const NodePoints& nodes, double tolerance,

@@ -17,10 +17,10 @@ enum class Orientation
 /**
  * Checks and orients the contours of every slice (section 3 of the paper: interior on the left).
  *
- * Copies of a contour are removed. Contours that cross themselves, or another one of their slice (of two
- * that cross, the one with the smaller area), are reported, and removed unless `keepCrossing` is
- * set: the later stages repair them. Contours may touch.
- * With ByNesting, contours are reversed where needed.
+ * Copies of a contour are removed. Contours that cross themselves, or another one of their slice
+ * (of two that cross, the one with the smaller area), are reported, and removed unless
+ * `keepCrossing` is set: the later stages repair them. Contours may touch. With ByNesting,
+ * contours are reversed where needed.
  */
 void OrientContours(Orientation orientation, bool keepCrossing, const Execution& execution,
   Contours& contours, std::vector<Problem>& crossing);

@@ -9,9 +9,9 @@
 namespace orthoslices
 {
 /**
- * Node points (the paper's section 4.2, step 2): where contours of two orthogonal slices meet on an
- * edge of M. Node n joins the crossings First[n] (family 0) and Second[n] (family 1); NodeOf[c] is
- * the node of crossing c, or None if it was removed.
+ * Node points (the paper's section 4.2, step 2): where contours of two orthogonal slices meet on
+ * an edge of M. Node n joins the crossings First[n] (family 0) and Second[n] (family 1);
+ * NodeOf[c] is the node of crossing c, or None if it was removed.
  */
 struct NodePoints
 {
@@ -30,11 +30,11 @@ struct NodePoints
 };
 
 /**
- * Pairs the crossings of the two families on every edge in their order along it. A node lies at the
- * mean of its two crossings, weighted by the axes of their slices. Nodes keep the grid's Margin from
- * the ends of their edge and from each other, less where there are too many of them, so that no
- * two nodes coincide; they are numbered upwards along each edge.
- * REQUIRES: reconciled slices (as many crossings of both families on an edge, with the same signs).
+ * Pairs the crossings of the two families on every edge in their order along it. A node lies at
+ * the mean of its two crossings, weighted by the axes of their slices. Nodes keep the grid's
+ * Margin from the ends of their edge and from each other, less where there are too many of them,
+ * so that no two nodes coincide; they are numbered upwards along each edge. REQUIRES: reconciled
+ * slices (as many crossings of both families on an edge, with the same signs).
  */
 NodePoints PairNodePoints(const SpatialGrid& grid, const Crossings& crossings,
   const EdgeRegister& edges, const AxisWeights& weights = { 1.0, 1.0, 1.0 });

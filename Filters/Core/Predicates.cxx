@@ -68,6 +68,53 @@ int CertainSide(const Point3& a, const Point3& b, const Point3& c, const Point3&
 
 namespace
 {
+template <std::size_t N>
+std::array<Point2, N> Project(const std::array<Point3, N>& points, int axis)
+{
+  std::array<Point2, N> projected;
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    projected[i] = { points[i][FirstAxis(axis)], points[i][SecondAxis(axis)] };
+  }
+  return projected;
+}
+
+/// Whether the line of an edge of s strictly separates t from s, both in the plane. Exact.
+template <std::size_t N, std::size_t M>
+bool SeparatedByEdge(const std::array<Point2, N>& s, const std::array<Point2, M>& t)
+{
+  for (std::size_t i = 0; i < N; ++i)
+  {
+    const Point2& p = s[i];
+    const Point2& q = s[(i + 1) % N];
+    const int side = SideOf(p, q, t[0]);
+    const bool away = side != 0 &&
+      std::all_of(t.begin(), t.end(), [&](const Point2& r) { return SideOf(p, q, r) == side; }) &&
+      std::none_of(s.begin(), s.end(), [&](const Point2& r) { return SideOf(p, q, r) == side; });
+    if (away)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// What is apart in a projection is apart. Decides what lies in one plane, too.
+template <std::size_t N, std::size_t M>
+bool ProjectionsApart(const std::array<Point3, N>& s, const std::array<Point3, M>& t)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = Project(s, axis);
+    const auto b = Project(t, axis);
+    if (SeparatedByEdge(a, b) || SeparatedByEdge(b, a))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Whether segment pq certainly does not meet triangle t.
 bool CertainlyMisses(const Point3& p, const Point3& q, const std::array<Point3, 3>& t)
 {
@@ -83,7 +130,7 @@ bool CertainlyMisses(const Point3& p, const Point3& q, const std::array<Point3, 
     left += side > 0;
     right += side < 0;
   }
-  return left > 0 && right > 0;
+  return (left > 0 && right > 0) || ProjectionsApart(std::array<Point3, 2>{ p, q }, t);
 }
 
 bool BoxesApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
@@ -124,7 +171,7 @@ bool AreCompatible(const PolylineSegment& a, const PolylineSegment& b)
 
 bool CertainlyApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
 {
-  if (BoxesApart(s, t))
+  if (BoxesApart(s, t) || ProjectionsApart(s, t))
   {
     return true;
   }

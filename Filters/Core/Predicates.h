@@ -8,11 +8,11 @@
 #include <cmath>
 
 /**
- * Geometric predicates. Those in the plane are exact. Those in space say when they are not certain, and
- * their users are conservative: what is not certainly apart is drawn in another way. So rounding
- * can cost a little accuracy in rare places, never a guarantee.
- * The error bounds are those of J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and
- * Fast Robust Geometric Predicates" (1997).
+ * Geometric predicates. Those in the plane are exact. Those in space say when they are not
+ * certain, and their users are conservative: what is not certainly apart is drawn in another way.
+ * So rounding can cost a little accuracy in rare places, never a guarantee. The error bounds are
+ * those of J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust
+ * Geometric Predicates" (1997).
  */
 namespace orthoslices
 {
@@ -37,7 +37,8 @@ inline bool AreApart(const Point2& a, const Point2& b, const Point2& c, const Po
   return SideOf(a, b, c) * SideOf(a, b, d) > 0 || SideOf(c, d, a) * SideOf(c, d, b) > 0;
 }
 
-/// Side of d against the plane of abc: 1 if a, b, c run counter-clockwise seen from d, -1, 0 not certain.
+/// Side of d against the plane of abc: 1 if a, b, c run counter-clockwise seen from d, -1, 0 not
+/// certain.
 int CertainSide(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
 /// Whether two closed triangles certainly have no point in common.

@@ -179,7 +179,8 @@ void Reconciler::ReportVertex(const Correction& correction)
     std::isfinite(nearest) ? nearest : spacing });
 }
 
-/// Distance from a place on an edge to the nearest crossing of a family; infinite if there is none.
+/// Distance from a place on an edge to the nearest crossing of a family; infinite if there is
+/// none.
 double Reconciler::DistanceTo(const GridEdge& edge, int family, double position) const
 {
   const std::uint64_t code = this->Code.Encode(edge);

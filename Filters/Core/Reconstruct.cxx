@@ -122,6 +122,47 @@ void CountContours(const Contours& contours, Reconstruction& result)
 }
 }
 
+namespace
+{
+/// Arcs of the given cycles.
+std::vector<Index> ArcsOf(const Cycles& polygons, const std::vector<Index>& cycles)
+{
+  std::vector<Index> arcs;
+  for (const Index cycle : cycles)
+  {
+    for (Index i = polygons.Offsets[cycle]; i < polygons.Offsets[cycle + 1]; ++i)
+    {
+      arcs.push_back(polygons.Arcs[i].Arc);
+    }
+  }
+  return arcs;
+}
+
+/// Cycles, central points and shells. Cells that rounding leaves unresolved get new arcs and a
+/// second try.
+void MakePatches(const Options& options, const std::vector<double>& normals,
+  const Execution& execution, Reconstruction& result)
+{
+  constexpr int mostRounds = 3;
+  for (int round = 1; round <= mostRounds; ++round)
+  {
+    result.Polygons = TraceCycles(result.Grid, result.Lattice, result.Nodes);
+    result.Surface.CentralPoints = LocateCentralPoints(options.Central, result.Grid, result.Graph,
+      result.Lattice, result.Nodes, normals, result.Polygons, execution);
+    SeparatedPatches separated = SeparatePatches(result.Grid, result.Graph, result.Lattice,
+      result.Nodes, result.Polygons, result.Surface.CentralPoints, execution);
+    result.Surface.Shells = std::move(separated.Shells);
+    if (separated.Unresolved.empty() || round == mostRounds)
+    {
+      break;
+    }
+    Append(EmbedArcs(result.Grid, result.Nodes, execution, result.Lattice, result.Graph,
+             ArcsOf(result.Polygons, separated.Unresolved)),
+      result.Repairs);
+  }
+}
+}
+
 Index CountDisagreements(const Reconstruction& result, double tolerance)
 {
   Index count = 0;
@@ -184,17 +225,13 @@ Reconstruction Reconstruct(
   result.Members = { contours.Axis, contours.Plane, contours.Cell };
   Append(
     EmbedArcs(result.Grid, result.Nodes, execution, result.Lattice, result.Graph), result.Repairs);
-  FindComponents(result.Lattice, result.Nodes, result.Graph);
   contours = Contours();
   if (!GoOn(execution, result, 0.65))
   {
     return result;
   }
-  result.Polygons = TraceCycles(result.Grid, result.Lattice, result.Nodes);
-  result.Surface.CentralPoints = LocateCentralPoints(options.Central, result.Grid, result.Graph,
-    result.Lattice, result.Nodes, normals, result.Polygons, execution);
-  result.Surface.Shells = SeparatePatches(result.Grid, result.Graph, result.Lattice, result.Nodes,
-    result.Polygons, result.Surface.CentralPoints, execution);
+  MakePatches(options, normals, execution, result);
+  FindComponents(result.Lattice, result.Nodes, result.Graph);
   Append(DescribeShells(result), result.Repairs);
   LayOutTriangles(result.Graph, result.Polygons, result.Surface);
   GoOn(execution, result, 0.8);

@@ -105,13 +105,14 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  *   G2  2-manifold: the triangles around every vertex form one disc.
  *   G3  Oriented: the two triangles at an edge run through it in opposite directions, and outside
  *       is where the contours have it (on their right, seen from the positive end of the axis).
- *   G4  Contours are kept: where the slices agree and contours do not cross, every vertex of every contour
- *       with a node point is a vertex of the surface, on its plane; one that lies on a grid edge
- *       may move along it by half the disagreement of the two slices there. Where slices
- *       contradict each other by more than the tolerance, vertices move with the node points beside
- *       them, within their planes. Parts without a node point take no part in the surface: isolated
- *       contours, which are listed, and what ReconcileSlices cuts off, which is listed if it has
- *       three vertices or more.
+ *   G4  Contours are kept: where the slices agree and contours do not cross, every vertex of every
+ *       contour with a node point is a vertex of the surface, on its plane; one that lies on a
+ *       grid line, or within the Margin of the grid of one, may move by that margin, and one on a
+ *       grid edge along it by half the disagreement of the two slices there. Where slices
+ *       contradict each other by more than the tolerance, vertices move with the node points
+ *       beside them, within their planes. Parts without a node point take no part in the surface:
+ *       isolated contours, which are listed, and what ReconcileSlices cuts off, which is listed
+ *       if it has three vertices or more.
  *   G5  Deterministic: the result does not depend on the number of threads, and slices that agree
  *       are not changed by ReconcileSlices.
  *   G6  Embedded: no two triangles meet but in their common edge or vertex.
@@ -119,18 +120,18 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  * Why G1 to G3 hold: after ReconcileSlices the two slices at an edge of M have the same crossings
  * with the same signs. A node point therefore has one arc in each of the four faces around its
  * edge, and each of the four cells there has two of them, one incoming and one outgoing in the
- * direction of its cycle. So "the next arc in the same cell" is a permutation of all half-arcs; its
- * orbits are closed cycles, every arc is passed once forward (above its slice) and once backward
- * (below), and no cycle passes a node or an arc twice. The fan of a cycle of three or more points
- * is a disc; two discs share arcs only, and around a node four discs close up in a ring.
+ * direction of its cycle. So "the next arc in the same cell" is a permutation of all half-arcs;
+ * its orbits are closed cycles, every arc is passed once forward (above its slice) and once
+ * backward (below), and no cycle passes a node or an arc twice. The fan of a cycle of three or
+ * more points is a disc; two discs share arcs only, and around a node four discs close up in a
+ * ring.
  *
- * Why G6 holds: PairNodePoints keeps nodes apart and off the ends of their edges, EmbedArcs keeps arcs apart
- * and off the border of their faces, and patches touch the boundary of their cell in their cycle
- * only. So patches of different cells meet in shared arcs only. A cell is convex: the fan of a
- * cycle around a point strictly inside cannot touch itself. Several patches of one cell are kept
- * apart by SeparatePatches. (What lies
- * closer together than a few dozen steps of the precision, planes or contours, may still touch
- * after rounding.)
+ * Why G6 holds: PairNodePoints keeps nodes apart and off the ends of their edges, EmbedArcs keeps
+ * arcs apart and off the border of their faces, and patches touch the boundary of their cell in
+ * their cycle only. So patches of different cells meet in shared arcs only. A cell is convex: the
+ * fan of a cycle around a point strictly inside cannot touch itself. Several patches of one cell
+ * are kept apart by SeparatePatches. Where arcs lie so close together that rounding could spoil
+ * that, they are drawn anew.
  */
 Reconstruction Reconstruct(
   std::array<Pieces, 3>&& pieces, const Options& options, const Execution& execution);

@@ -16,9 +16,9 @@ namespace orthoslices
  * reconciliation took out.
  *
  * *Arc* c is the part of the contour from crossing c to Next[c]. It lies on one face of M. Its
- * geometry is a chain of runs of contour vertices: run r has RunCount[r] vertices of RunContour[r],
- * cyclic from vertex RunFirst[r], and is followed by run RunNext[r]. Arc c begins with run c;
- * ArcLastRun[c] is its last run.
+ * geometry is a chain of runs of contour vertices: run r has RunCount[r] vertices of
+ * RunContour[r], cyclic from vertex RunFirst[r], and is followed by run RunNext[r]. Arc c begins
+ * with run c; ArcLastRun[c] is its last run.
  */
 struct Crossings
 {

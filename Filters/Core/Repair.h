@@ -7,7 +7,8 @@
 
 namespace orthoslices
 {
-/// What was done to make a closed surface of contradictory contours. The numbers are part of the output.
+/// What was done to make a closed surface of contradictory contours. The numbers are part of the
+/// output.
 enum class RepairKind
 {
   VertexRelabelled = 3, ///< a slice was overruled on whether a vertex of M is inside
@@ -18,9 +19,9 @@ enum class RepairKind
 };
 
 /**
- * A repair and its place. Size, in world units: distance from the vertex to the overruled slice's nearest
- * crossing (plane spacing if there is none); distance of the two crossings; length of the new arcs;
- * length of the border of the patch.
+ * A repair and its place. Size, in world units: distance from the vertex to the overruled slice's
+ * nearest crossing (plane spacing if there is none); distance of the two crossings; length of the
+ * new arcs; length of the border of the patch.
  */
 struct Repair
 {

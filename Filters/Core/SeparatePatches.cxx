@@ -14,7 +14,8 @@ namespace
 /// Depth of the deepest shell as a part of the way to the middle of the cell.
 constexpr double DeepestShell = 0.4;
 
-/// Place on the border of one of the faces of a cell: a node of the cycle, or a corner of the cell.
+/// Place on the border of one of the faces of a cell: a node of the cycle, or a corner of the
+/// cell.
 struct RingVertex
 {
   bool IsCorner;
@@ -65,6 +66,7 @@ public:
 
   bool MayCross(const Index* first, const Index* last, const std::vector<double>& centers);
   void Build(const Index* first, const Index* last, std::vector<ShellPatch>& shells);
+  bool AreCertainlyApart(const std::vector<ShellPatch>& shells) const;
 
 private:
   Point3 PointOf(Index point) const;
@@ -201,7 +203,8 @@ void CellShells::FindRegion(CellCycle& member) const
   }
 }
 
-/// Whether a node of one cycle lies in the region of another. Nodes are numbered upwards along an edge.
+/// Whether a node of one cycle lies in the region of another. Nodes are numbered upwards along an
+/// edge.
 bool CellShells::IsWithin(const CellCycle& inner, const CellCycle& outer) const
 {
   const int edge = inner.NodeEdge.front();
@@ -297,7 +300,8 @@ std::vector<RingVertex> CellShells::RingOf(const CellCycle& member, int face) co
   return ring;
 }
 
-/// Whether one comes from the region to the start of the first arc, counter-clockwise around its face.
+/// Whether one comes from the region to the start of the first arc, counter-clockwise around its
+/// face.
 bool CellShells::IsRegionOnLeft(const CellCycle& member) const
 {
   const std::vector<RingVertex> ring = this->RingOf(member, member.ArcFace.front());
@@ -328,7 +332,8 @@ void CellShells::AddWall(const CellCycle& member, ShellPatch& shell) const
   }
 }
 
-/// Triangulates a part of the region on one face. Vertices are places on the border, or -1 - corner.
+/// Triangulates a part of the region on one face. Vertices are places on the border, or -1 -
+/// corner.
 void CellShells::AddRegion(
   const CellCycle& member, int face, const std::vector<Index>& vertices, ShellPatch& shell) const
 {
@@ -360,7 +365,8 @@ void CellShells::AddRegion(
   }
 }
 
-/// Follows the border of each part of the region on a face: along the face's border, across on arcs.
+/// Follows the border of each part of the region on a face: along the face's border, across on
+/// arcs.
 void CellShells::AddFace(const CellCycle& member, int face, ShellPatch& shell) const
 {
   const std::vector<RingVertex> ring = this->RingOf(member, face);
@@ -473,6 +479,65 @@ void CellShells::Build(const Index* first, const Index* last, std::vector<ShellP
   }
 }
 
+/// A triangle of a shell with its corners' places in a list of all points of the cell's shells.
+struct ShellTriangle
+{
+  std::array<Point3, 3> Corners;
+  std::array<Index, 3> Ids;
+};
+
+bool ShareCorner(const ShellTriangle& a, const ShellTriangle& b)
+{
+  return std::any_of(a.Ids.begin(), a.Ids.end(),
+    [&](Index id) { return std::find(b.Ids.begin(), b.Ids.end(), id) != b.Ids.end(); });
+}
+
+/// Whether rounding has left all triangles without a common corner apart.
+bool CellShells::AreCertainlyApart(const std::vector<ShellPatch>& shells) const
+{
+  std::vector<ShellTriangle> triangles;
+  std::vector<Index> border, places;
+  Index firstId = 0;
+  for (const ShellPatch& shell : shells)
+  {
+    GetBoundary(
+      this->Graph, this->Lattice, this->Nodes, this->Polygons, shell.Cycle, border, places);
+    const Index size = static_cast<Index>(border.size());
+    for (const auto& corners : shell.Triangles)
+    {
+      ShellTriangle triangle;
+      for (int i = 0; i < 3; ++i)
+      {
+        const Index corner = corners[i];
+        triangle.Corners[i] =
+          corner >= 0 ? this->PointOf(border[corner]) : shell.Points[-1 - corner];
+        triangle.Ids[i] = firstId + (corner >= 0 ? corner : size - 1 - corner);
+      }
+      triangles.push_back(triangle);
+    }
+    firstId += size + static_cast<Index>(shell.Points.size());
+  }
+  const auto low = [](const ShellTriangle& t) {
+    return std::min({ t.Corners[0][0], t.Corners[1][0], t.Corners[2][0] });
+  };
+  const auto high = [](const ShellTriangle& t) {
+    return std::max({ t.Corners[0][0], t.Corners[1][0], t.Corners[2][0] });
+  };
+  std::sort(triangles.begin(), triangles.end(),
+    [&](const ShellTriangle& a, const ShellTriangle& b) { return low(a) < low(b); });
+  for (auto a = triangles.begin(); a != triangles.end(); ++a)
+  {
+    for (auto b = a + 1; b != triangles.end() && low(*b) <= high(*a); ++b)
+    {
+      if (!ShareCorner(*a, *b) && !CertainlyApart(a->Corners, b->Corners))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 /// Whether the triangle at a vertex turns left and has no other vertex inside or on its border.
 bool IsEmptyEar(const std::vector<Point2>& polygon, const std::vector<Index>& left, std::size_t ear)
 {
@@ -522,12 +587,12 @@ std::vector<std::array<Index, 3>> TriangulatePolygon(const std::vector<Point2>& 
   return triangles;
 }
 
-std::vector<ShellPatch> SeparatePatches(const SpatialGrid& grid, const NodeGraph& graph,
+SeparatedPatches SeparatePatches(const SpatialGrid& grid, const NodeGraph& graph,
   const Crossings& crossings, const NodePoints& nodes, const Cycles& cycles,
   const std::vector<double>& centralPoints, const Execution& execution)
 {
   const CellGroups groups = GroupByCell(grid, cycles);
-  std::vector<std::vector<ShellPatch>> found(groups.Several.size());
+  std::vector<SeparatedPatches> found(groups.Several.size());
   execution.For(found.size(),
     [&](std::size_t begin, std::size_t end)
     {
@@ -538,17 +603,23 @@ std::vector<ShellPatch> SeparatePatches(const SpatialGrid& grid, const NodeGraph
         const Index* last = groups.Cycles.data() + groups.Several[i].second;
         if (cell.MayCross(first, last, centralPoints))
         {
-          cell.Build(first, last, found[i]);
+          cell.Build(first, last, found[i].Shells);
+          if (!cell.AreCertainlyApart(found[i].Shells))
+          {
+            found[i].Unresolved.assign(first, last);
+          }
         }
       }
     });
-  std::vector<ShellPatch> shells;
-  for (std::vector<ShellPatch>& list : found)
+  SeparatedPatches result;
+  for (SeparatedPatches& part : found)
   {
-    std::move(list.begin(), list.end(), std::back_inserter(shells));
+    std::move(part.Shells.begin(), part.Shells.end(), std::back_inserter(result.Shells));
+    result.Unresolved.insert(
+      result.Unresolved.end(), part.Unresolved.begin(), part.Unresolved.end());
   }
-  std::sort(shells.begin(), shells.end(),
+  std::sort(result.Shells.begin(), result.Shells.end(),
     [](const ShellPatch& a, const ShellPatch& b) { return a.Cycle < b.Cycle; });
-  return shells;
+  return result;
 }
 }

@@ -18,25 +18,34 @@ struct ShellPatch
   std::vector<std::array<Index, 3>> Triangles;
 };
 
+/// The shells, ascending by cycle, and the cycles of the cells in which they may still touch.
+struct SeparatedPatches
+{
+  std::vector<ShellPatch> Shells;
+  std::vector<Index> Unresolved;
+};
+
 /**
  * Makes the patches of cells with several cycles disjoint (our own addition).
  *
- * The fan of one cycle cannot touch itself, and fans of different cells meet in shared arcs only. But two
- * fans in one cell may cross. Where they may, all patches of the cell become *shells*: each
- * cycle bounds a region on the boundary of the cell, the one away from a fixed corner, so that regions
- * are nested or disjoint. The shell of a cycle goes from the cycle towards the middle of the cell to
- * a depth that grows with the number of regions nested within, and there covers a copy of its region, shrunk
- * about the middle. Shells of nested regions lie beneath each other; none can meet.
+ * The fan of one cycle cannot touch itself, and fans of different cells meet in shared arcs only.
+ * But two fans in one cell may cross. Where they may, all patches of the cell become *shells*:
+ * each cycle bounds a region on the boundary of the cell, the one away from a fixed corner, so
+ * that regions are nested or disjoint. The shell of a cycle goes from the cycle towards the
+ * middle of the cell to a depth that grows with the number of regions nested within, and there
+ * covers a copy of its region, shrunk about the middle. Shells of nested regions lie beneath each
+ * other; none can meet.
  *
- * Returns the shells, ascending by cycle.
+ * Only rounding can spoil that, where arcs lie closer together than it moves the copies. Such
+ * cells are unresolved: EmbedArcs has to draw their arcs anew.
  */
-std::vector<ShellPatch> SeparatePatches(const SpatialGrid& grid, const NodeGraph& graph,
+SeparatedPatches SeparatePatches(const SpatialGrid& grid, const NodeGraph& graph,
   const Crossings& crossings, const NodePoints& nodes, const Cycles& cycles,
   const std::vector<double>& centralPoints, const Execution& execution);
 
 /**
- * Triangulates a simple polygon that runs counter-clockwise by cutting off ears. Triangles are places in
- * the polygon.
+ * Triangulates a simple polygon that runs counter-clockwise by cutting off ears. Triangles are
+ * places in the polygon.
  */
 std::vector<std::array<Index, 3>> TriangulatePolygon(
   const std::vector<std::array<double, 2>>& polygon);

@@ -18,8 +18,8 @@ constexpr double kDistance = 1e-4;
  *
  * Sample (i, j) counts the ring; square (i, j) has the corners 0 (i, j), 1 (i + 1, j),
  * 2 (i + 1, j + 1), 3 (i, j + 1), and its side s runs from corner s to s + 1. As the corners run
- * (counter-clockwise), a contour with the interior on its left enters through a side from an inside
- * corner to an outside one and leaves through a side from outside to inside.
+ * (counter-clockwise), a contour with the interior on its left enters through a side from an
+ * inside corner to an outside one and leaves through a side from outside to inside.
  */
 class SquareWalker
 {

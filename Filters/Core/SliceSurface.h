@@ -6,7 +6,8 @@
 #include "PlaneContours.h"
 
 /**
- * Contours of a closed triangle surface on the planes of one axis, as input for the reconstruction.
+ * Contours of a closed triangle surface on the planes of one axis, as input for the
+ * reconstruction.
  *
  *     TriangleSurface surface{ points, triangles, {} };
  *     if (CloseSurface(surface).Kind == SurfaceProblemKind::None)

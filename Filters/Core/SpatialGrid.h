@@ -70,13 +70,15 @@ struct SpatialGrid
       (slab == this->Count(axis) || coordinate < planes[slab]);
   }
 
-  /// Moves a coordinate into the slab, `share` of its width (at least the Margin) away from its ends.
+  /// Moves a coordinate into the slab, `share` of its width (at least the Margin) away from its
+  /// ends.
   double MoveInside(int axis, Index slab, double coordinate, double share = 0.0) const;
 
   /// The ends of a slab; an unbounded one ends one mean spacing beyond the range [least, most].
   void GetExtent(int axis, Index slab, double least, double most, double& low, double& high) const;
 
-  /// Mean distance of consecutive planes; the extent of all contours where there is only one plane.
+  /// Mean distance of consecutive planes; the extent of all contours where there is only one
+  /// plane.
   double MeanSpacing(int axis) const
   {
     const auto& planes = this->Planes[axis];
@@ -116,9 +118,9 @@ private:
 };
 
 /**
- * Finds the planes of all contours and sets Contours::Plane. Planes closer than `tolerance`, or than a
- * few dozen steps of the precision, to the first of a group become one at the median coordinate of the
- * group's contours; the contours move onto it.
+ * Finds the planes of all contours and sets Contours::Plane. Planes closer than `tolerance`, or
+ * than a few dozen steps of the precision, to the first of a group become one at the median
+ * coordinate of the group's contours; the contours move onto it.
  */
 SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePrecision = false);
 }

@@ -32,8 +32,8 @@ struct Cycles
 
 /**
  * Walks along all cycles. At a node point the cell decides how to go on: each of the four cells
- * around the node's edge has exactly two of the four arcs that meet there. No search is needed, and
- * every arc is part of exactly one cycle on each side of its slice: the surface is closed by
+ * around the node's edge has exactly two of the four arcs that meet there. No search is needed,
+ * and every arc is part of exactly one cycle on each side of its slice: the surface is closed by
  * construction.
  */
 Cycles TraceCycles(const SpatialGrid& grid, const Crossings& crossings, const NodePoints& nodes);

@@ -8,11 +8,13 @@
 namespace orthoslices
 {
 /**
- * The patches of all cycles. Each quadrilateral of a polygon is a fan around the central point; the patches in
- * Shells (ascending by cycle) are no fans. Patch i has the triangles Offsets[i] to Offsets[i + 1] - 1.
+ * The patches of all cycles. Each quadrilateral of a polygon is a fan around the central point;
+ * the patches in Shells (ascending by cycle) are no fans. Patch i has the triangles Offsets[i] to
+ * Offsets[i + 1] - 1.
  *
- * Point ids: first the points of G; then one point for each cycle, which is the central point, or the
- * first point of the shell; then the other points of the shells, from ShellOffsets[s] on for shell s.
+ * Point ids: first the points of G; then one point for each cycle, which is the central point, or
+ * the first point of the shell; then the other points of the shells, from ShellOffsets[s] on for
+ * shell s.
  */
 struct Patches
 {

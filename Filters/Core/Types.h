@@ -13,9 +13,9 @@
  * Plain data that passes between the stages of the reconstruction; no VTK types.
  *
  * Lengths are world units. A slice of axis a lies on a plane of constant coordinate a and has
- * the in-plane axes u = FirstAxis(a) and v = SecondAxis(a), so that (u, v, a) is right-handed: seen
- * from the positive end of a, u points right, v points up and the interior of an oriented contour
- * lies on its left.
+ * the in-plane axes u = FirstAxis(a) and v = SecondAxis(a), so that (u, v, a) is right-handed:
+ * seen from the positive end of a, u points right, v points up and the interior of an oriented
+ * contour lies on its left.
  */
 namespace orthoslices
 {
