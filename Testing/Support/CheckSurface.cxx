@@ -307,9 +307,10 @@ Contours UsableContours(const PieceSets& pieces, const Options& options, Spatial
   {
     AssembleContours(std::move(set), tolerance, contours, problems);
   }
-  grid = BuildSpatialGrid(contours, tolerance);
-  OrientContours(options.Orient, Execution(), contours, problems);
-  grid = BuildSpatialGrid(contours, tolerance);
+  grid = BuildSpatialGrid(contours, tolerance, options.SinglePrecision);
+  OrientContours(
+    options.Orient, options.Crossing == CrossingContours::Repair, Execution(), contours, problems);
+  grid = BuildSpatialGrid(contours, tolerance, options.SinglePrecision);
   return contours;
 }
 
@@ -391,19 +392,23 @@ SideCheck CheckGridVertices(const TriangleMesh& mesh, const Contours& contours,
 TriangleMesh MeshOf(const Reconstruction& result)
 {
   TriangleMesh mesh;
-  for (const auto* xyz : { &result.Graph.Points, &result.CentralPoints })
+  for (const auto* xyz : { &result.Graph.Points, &result.Surface.CentralPoints })
   {
     for (std::size_t i = 0; i < xyz->size(); i += 3)
     {
       mesh.Points.push_back({ (*xyz)[i], (*xyz)[i + 1], (*xyz)[i + 2] });
     }
   }
+  for (const ShellPatch& shell : result.Surface.Shells)
+  {
+    mesh.Points.insert(mesh.Points.end(), shell.Points.begin() + 1, shell.Points.end());
+  }
   if (result.Polygons.Count() == 0)
   {
     return mesh;
   }
-  std::vector<std::int32_t> ids(3 * static_cast<std::size_t>(result.Triangles.Count()), -1);
-  WriteTriangles(result.Triangles, result.Graph, result.Lattice, result.Nodes, result.Polygons,
+  std::vector<std::int32_t> ids(3 * static_cast<std::size_t>(result.Surface.TriangleCount()), -1);
+  WriteTriangles(result.Surface, result.Graph, result.Lattice, result.Nodes, result.Polygons,
     Execution(), ids.data());
   for (std::size_t i = 0; i < ids.size(); i += 3)
   {

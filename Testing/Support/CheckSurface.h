@@ -90,7 +90,14 @@ struct SideCheck
 SideCheck CheckGridVertices(const TriangleMesh& mesh, const Contours& contours,
   const SpatialGrid& grid, std::size_t most, std::uint64_t seed);
 
-/// Triangles that cross others, counted by CGAL; -1 if the tests were built without it.
+/**
+ * Pairs of triangles of which one has a side that certainly passes through the inside of the other:
+ * brute force over neighbourhoods, with a bound for the rounding errors. Triangles that only touch or
+ * overlap in a plane are not counted.
+ */
+std::int64_t CountCrossings(const TriangleMesh& mesh);
+
+/// Pairs of triangles that meet in more than a common side or corner, counted by CGAL; -1 if the tests were built without it.
 std::int64_t CountSelfIntersections(const TriangleMesh& mesh);
 
 } // namespace support

@@ -117,8 +117,10 @@ Input RandomContradictoryInput(std::uint64_t seed)
   constexpr std::size_t changes = sizeof(Changes) / sizeof(Changes[0]);
   Input input;
   input.Sets = RandomSlices(seed, seed / changes % 2 ? InPlaneGrid::Aligned : InPlaneGrid::Free);
-  input.Settings.RefuseProblems = false;
+  input.Settings.RefuseInvalid = false;
   Random random(seed);
+  input.Settings.Crossing =
+    random.Chance(0.7) ? CrossingContours::Repair : CrossingContours::LeaveOut;
   const NamedChange& change = Changes[seed % changes];
   change.Apply(input, random);
   input.Name = "RandomContradictoryInput(" + std::to_string(seed) + "), " + change.Name;

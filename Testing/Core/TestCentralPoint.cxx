@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/CentralPoint.h"
+
+#include "Support/SliceSolid.h"
+#include "Support/Stages.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+std::vector<double> NormalsOf(const Stages& stages)
+{
+  return ComputeNodeNormals(stages.Set, stages.Grid, stages.Lattice, stages.Nodes, Execution());
+}
+
+std::vector<Point3> CentersOf(const Stages& stages, CentralPointMethod method)
+{
+  const std::vector<double> xyz = LocateCentralPoints(method, stages.Grid, stages.Graph,
+    stages.Lattice, stages.Nodes, NormalsOf(stages), stages.Polygons, Execution());
+  std::vector<Point3> centers;
+  for (std::size_t i = 0; i < xyz.size(); i += 3)
+  {
+    centers.push_back({ xyz[i], xyz[i + 1], xyz[i + 2] });
+  }
+  return centers;
+}
+
+Point3 CenterIn(const Stages& stages, CentralPointMethod method, const std::array<Index, 3>& cell)
+{
+  const auto at = std::find(stages.Polygons.Cell.begin(), stages.Polygons.Cell.end(), cell);
+  return CentersOf(stages, method)[at - stages.Polygons.Cell.begin()];
+}
+
+void ExpectNear(const Point3& a, const Point3& b)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_NEAR(a[axis], b[axis], 1e-9);
+  }
+}
+
+Input Slice(const Solid& solid, int count, int subdivisions = 6)
+{
+  Input input;
+  input.Sets =
+    SliceSolid(solid, EqualPlanes(solid, { count, count, count }), subdivisions, InPlaneGrid::Free);
+  return input;
+}
+
+Solid UnitBall()
+{
+  Solid solid;
+  solid.Low = { -1.23, -1.21, -1.19 };
+  solid.High = { 1.17, 1.22, 1.24 };
+  solid.Tubes = { Ball({ 0, 0, 0 }, 1.0) };
+  return solid;
+}
+
+/// Root of the mean squared distance of the central points to the solid.
+double ErrorOf(const Stages& stages, const Solid& solid, CentralPointMethod method)
+{
+  double sum = 0.0;
+  const std::vector<Point3> centers = CentersOf(stages, method);
+  for (const Point3& center : centers)
+  {
+    sum += solid.Value(center) * solid.Value(center);
+  }
+  return std::sqrt(sum / static_cast<double>(centers.size()));
+}
+}
+
+//----------------------------------------------------------------------------
+TEST(CentralPoint, OfAPlanarPolygonIsItsCentroid)
+{
+  const Stages stages{ Cube() };
+  for (const auto method : { CentralPointMethod::Centroid, CentralPointMethod::LeastSquares })
+  {
+    ExpectNear(CenterIn(stages, method, { 0, 1, 1 }), { 0.5, 1.5, 1.5 });
+    ExpectNear(CenterIn(stages, method, { 1, 1, 2 }), { 1.5, 1.5, 2.5 });
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(CentralPoint, CentroidIsThatOfTheArcsByLength)
+{
+  const Stages stages{ Cube() };
+  // At a corner: six segments of length 1/2. Each point stands for two half ones.
+  ExpectNear(CenterIn(stages, CentralPointMethod::Centroid, { 0, 0, 0 }), { 0.75, 0.75, 0.75 });
+  // Along the edge x = y = 0.5: two sides of length 1 at z = 1 and 2 over the corner (0.5, 0.5), and
+  // two sides parallel to z from (0.5, 1) and (1, 0.5).
+  ExpectNear(CenterIn(stages, CentralPointMethod::Centroid, { 0, 0, 1 }), { 0.6875, 0.6875, 1.5 });
+}
+
+//----------------------------------------------------------------------------
+TEST(CentralPoint, LeastSquaresIsMuchNearerToACurvedSurface)
+{
+  for (const Solid& solid : { UnitBall(), TiltedTorus() })
+  {
+    const Stages stages(Slice(solid, 16));
+    const double centroid = ErrorOf(stages, solid, CentralPointMethod::Centroid);
+    const double squares = ErrorOf(stages, solid, CentralPointMethod::LeastSquares);
+    EXPECT_LT(squares, 0.25 * centroid);
+    EXPECT_GT(centroid, 1e-3);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// With twice the planes the error falls at least eightfold, that of the centroid fourfold.
+TEST(CentralPoint, LeastSquaresConvergesFaster)
+{
+  const Solid solid = UnitBall();
+  const Stages coarse(Slice(solid, 10, 24)), fine(Slice(solid, 20, 24));
+  EXPECT_GT(ErrorOf(coarse, solid, CentralPointMethod::LeastSquares),
+    6.0 * ErrorOf(fine, solid, CentralPointMethod::LeastSquares));
+  EXPECT_GT(ErrorOf(coarse, solid, CentralPointMethod::Centroid),
+    3.0 * ErrorOf(fine, solid, CentralPointMethod::Centroid));
+}
+
+//----------------------------------------------------------------------------
+TEST(CentralPoint, LiesInItsClosedCell)
+{
+  for (std::uint64_t seed = 0; seed < 60; ++seed)
+  {
+    const Stages stages(RandomContradictoryInput(seed));
+    SCOPED_TRACE(seed);
+    for (const auto method : { CentralPointMethod::Centroid, CentralPointMethod::LeastSquares })
+    {
+      const std::vector<Point3> centers = CentersOf(stages, method);
+      for (std::size_t i = 0; i < centers.size(); ++i)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const double x = centers[i][axis];
+          EXPECT_EQ(stages.Grid.Clamp(axis, stages.Polygons.Cell[i][axis], x), x);
+        }
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(NodeNormals, PointOutwardsAlongTheGradient)
+{
+  for (const Solid& solid : { UnitBall(), TiltedTorus() })
+  {
+    const Stages stages(Slice(solid, 14));
+    const std::vector<double> normals = NormalsOf(stages);
+    ASSERT_EQ(normals.size(), 3u * stages.Nodes.Count());
+    double worst = 1.0;
+    for (Index node = 0; node < stages.Nodes.Count(); ++node)
+    {
+      const double* n = &normals[3 * node];
+      const double* p = &stages.Graph.Points[3 * node];
+      const Point3 gradient = solid.Gradient({ p[0], p[1], p[2] });
+      const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+      EXPECT_LE(length, 1.0 + 1e-12); // the sine of the angle between the contours
+      if (length > 0.1)
+      {
+        const double cosine =
+          (n[0] * gradient[0] + n[1] * gradient[1] + n[2] * gradient[2]) / length;
+        worst = std::min(worst, cosine);
+      }
+    }
+    EXPECT_GT(worst, 0.98);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(NodeNormals, OfTheCubeAreExact)
+{
+  const Stages stages{ Cube() };
+  const std::vector<double> normals = NormalsOf(stages);
+  for (Index node = 0; node < stages.Nodes.Count(); ++node)
+  {
+    const int axis = stages.EdgeOf(stages.Nodes.First[node]).Direction;
+    const double side = stages.Graph.Points[3 * node + axis] < 1.5 ? -1.0 : 1.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_NEAR(normals[3 * node + i], i == axis ? side : 0.0, 1e-12);
+    }
+  }
+}

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/PairNodePoints.h"
+
+#include "Support/Stages.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+std::set<Point3> Positions(const Stages& stages)
+{
+  std::set<Point3> positions;
+  const GridEdgeCode code(stages.Grid);
+  for (Index node = 0; node < stages.Nodes.Count(); ++node)
+  {
+    positions.insert(NodePosition(stages.Grid, code, stages.Lattice, stages.Nodes, node));
+  }
+  return positions;
+}
+}
+
+//----------------------------------------------------------------------------
+TEST(PairNodePoints, OctahedronHasOneOnEachHalfAxis)
+{
+  const Stages stages{ Octahedron() };
+  EXPECT_EQ(stages.Nodes.Count(), 6);
+  EXPECT_EQ(Positions(stages),
+    (std::set<Point3>{
+      { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } }));
+}
+
+//----------------------------------------------------------------------------
+TEST(PairNodePoints, CubeHasTwoOnEachGridLine)
+{
+  const Stages stages{ Cube() };
+  std::set<Point3> expected;
+  for (const double end : { 0.5, 2.5 })
+  {
+    for (const double a : { 1.0, 2.0 })
+    {
+      for (const double b : { 1.0, 2.0 })
+      {
+        expected.insert({ end, a, b });
+        expected.insert({ a, end, b });
+        expected.insert({ a, b, end });
+      }
+    }
+  }
+  EXPECT_EQ(stages.Nodes.Count(), 24);
+  EXPECT_EQ(Positions(stages), expected);
+}
+
+//----------------------------------------------------------------------------
+TEST(PairNodePoints, LiesMidwayBetweenItsTwoContours)
+{
+  // The z-slice reaches 0.5 farther along +y than the x-slice.
+  const Stages stages("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1\n"
+                      "z=0: -1,-1 1,-1 1,1.5 -1,1.5");
+  ASSERT_EQ(stages.Nodes.Count(), 6);
+  const GridEdgeCode code(stages.Grid);
+  int disagreeing = 0;
+  for (Index node = 0; node < 6; ++node)
+  {
+    const double distance = NodeDisagreement(stages.Lattice, stages.Nodes, node);
+    const Point3 p = NodePosition(stages.Grid, code, stages.Lattice, stages.Nodes, node);
+    disagreeing += distance == 0.5 ? 1 : 0;
+    EXPECT_EQ(distance == 0.5, p == (Point3{ 0, 1.25, 0 }));
+  }
+  EXPECT_EQ(disagreeing, 1);
+}
+
+//----------------------------------------------------------------------------
+TEST(PairNodePoints, PartnersAreMutualAndOnTheSameEdge)
+{
+  for (std::uint64_t seed = 0; seed < 60; ++seed)
+  {
+    const Stages stages(RandomContradictoryInput(seed));
+    SCOPED_TRACE(seed);
+    for (Index c = 0; c < stages.Lattice.Count(); ++c)
+    {
+      if (stages.Lattice.IsRemoved(c))
+      {
+        EXPECT_EQ(stages.Nodes.NodeOf[c], Crossings::None);
+        continue;
+      }
+      const Index partner = stages.Nodes.Partner(stages.Lattice, c);
+      EXPECT_EQ(stages.Nodes.Partner(stages.Lattice, partner), c);
+      EXPECT_EQ(stages.Lattice.Edge[partner], stages.Lattice.Edge[c]);
+      EXPECT_NE(stages.Lattice.Family[partner], stages.Lattice.Family[c]);
+      EXPECT_EQ(stages.Lattice.Sign(partner), stages.Lattice.Sign(c));
+    }
+  }
+}

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   the stages of the reconstruction one after another, with everything between them
+ */
+
+#ifndef OrthoSlicesStages_h
+#define OrthoSlicesStages_h
+
+#include "Core/AssembleContours.h"
+#include "Core/EmbedArcs.h"
+#include "Core/Reconstruct.h"
+#include "Support/CheckSurface.h"
+#include "Support/RandomInput.h"
+#include "Support/TextContours.h"
+
+namespace orthoslices
+{
+namespace support
+{
+
+struct Stages
+{
+  /// Closed contours, trusted as drawn.
+  explicit Stages(const std::string& text)
+    : Set(ParseContours(text))
+  {
+    this->Grid = BuildSpatialGrid(this->Set, Tolerance);
+    this->Run();
+  }
+
+  explicit Stages(const Input& input)
+  {
+    this->Set = UsableContours(input.Sets, input.Settings, this->Grid);
+    this->Run();
+  }
+
+  GridEdge EdgeOf(Index crossing) const
+  {
+    return GridEdgeCode(this->Grid).Decode(this->Lattice.Edge[crossing]);
+  }
+
+  static constexpr double Tolerance = 1e-9;
+
+  Contours Set;
+  SpatialGrid Grid;
+  std::vector<IsolatedLoop> Isolated;
+  Crossings Registered; ///< before reconciliation
+  Crossings Lattice;
+  EdgeRegister Edges;
+  Reconciliation Reconciled;
+  NodePoints Nodes;
+  NodeGraph Graph;
+  std::vector<Repair> Redrawn; ///< faces
+  Cycles Polygons;
+
+private:
+  void Run()
+  {
+    const Execution execution;
+    this->Registered = RegisterCrossings(this->Set, this->Grid, execution, this->Isolated);
+    this->Lattice = this->Registered;
+    this->Edges = FileOnEdges(this->Lattice);
+    this->Reconciled = ReconcileSlices(this->Grid, this->Lattice, this->Edges, this->Isolated);
+    this->Nodes = PairNodePoints(this->Grid, this->Lattice, this->Edges);
+    this->Graph =
+      BuildNodeGraph(this->Set, this->Grid, this->Lattice, this->Nodes, Tolerance, execution);
+    this->Redrawn = EmbedArcs(this->Grid, this->Nodes, execution, this->Lattice, this->Graph);
+    FindComponents(this->Lattice, this->Nodes, this->Graph);
+    this->Polygons = TraceCycles(this->Grid, this->Lattice, this->Nodes);
+  }
+};
+
+/**
+ * A cube from 0.5 to 2.5 cut by the planes 1 and 2 of each axis. Every one of the 12 grid lines
+ * meets it twice: 24 node points, 48 arcs, and a spatial polygon in every cell but the middle one:
+ * 8 of three node points at the corners, 18 of four at edges and faces.
+ */
+inline std::string Cube()
+{
+  std::string text;
+  for (const char* plane : { "x=1:", "x=2:", "y=1:", "y=2:", "z=1:", "z=2:" })
+  {
+    text += std::string(plane) + " 0.5,0.5 2.5,0.5 2.5,2.5 0.5,2.5\n";
+  }
+  return text;
+}
+
+/// One plane on each axis through the origin, each with a square around it: six node points.
+inline std::string Octahedron()
+{
+  return "x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1; z=0: -1,-1 1,-1 1,1 -1,1";
+}
+
+} // namespace support
+} // namespace orthoslices
+
+#endif

@@ -1,0 +1,1003 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   vtkOrthogonalSliceReconstruction as VTK users expect it
+ */
+
+#include "Support/CheckSurface.h"
+#include "Support/DataSets.h"
+#include "Support/FilterRun.h"
+#include "Support/RandomInput.h"
+#include "Support/SliceSolid.h"
+#include "Support/Stages.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCutter.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkExtractVOI.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkFlyingEdges2D.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkMarchingSquares.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSphereSource.h"
+#include "vtkStripper.h"
+#include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedShortArray.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+/// A run on text, x-, y- and z-slices together.
+struct TextRun : FilterRun
+{
+  explicit TextRun(const std::string& text)
+    : FilterRun(ParsePieces(text))
+  {
+  }
+};
+
+bool Contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+vtkTable* TableOf(vtkOrthogonalSliceReconstruction* filter, int port)
+{
+  return vtkTable::SafeDownCast(filter->GetOutputDataObject(port));
+}
+
+void ExpectEmptyOutputs(vtkOrthogonalSliceReconstruction* filter)
+{
+  for (vtkPolyData* output : { filter->GetOutput(), filter->GetGraphOutput() })
+  {
+    EXPECT_EQ(output->GetNumberOfPoints(), 0);
+    EXPECT_EQ(output->GetNumberOfCells(), 0);
+  }
+  for (int port = 2; port < 5; ++port)
+  {
+    EXPECT_EQ(TableOf(filter, port)->GetNumberOfRows(), 0);
+  }
+}
+
+/// The input is refused with a message that has all these parts.
+void ExpectRefused(const std::string& text, const std::vector<std::string>& parts)
+{
+  SCOPED_TRACE(text);
+  TextRun run(text);
+  run.Filter->SetCrossingContoursToRefuse();
+  run.Update();
+  ASSERT_GE(run.Errors.size(), 1u);
+  for (const std::string& part : parts)
+  {
+    EXPECT_TRUE(Contains(run.Errors[0], part)) << run.Errors[0] << "\nhas no \"" << part << "\"";
+  }
+  ExpectEmptyOutputs(run.Filter);
+}
+
+/// A realistic input with contradictions, isolated contours and several components.
+PieceSets Stomach() { return ReadPieceSets({ "lbl_stomach", 1, 0, false }, 32); }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, HasThreeInputsAndFiveOutputs)
+{
+  vtkNew<vtkOrthogonalSliceReconstruction> filter;
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 3);
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 5);
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkInformation* info = filter->GetInputPortInformation(port);
+    EXPECT_STREQ(info->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE()), "vtkPolyData");
+    EXPECT_FALSE(info->Has(vtkAlgorithm::INPUT_IS_OPTIONAL()));
+  }
+  TextRun run{ Cube() };
+  run.Update();
+  EXPECT_NE(run.Filter->GetGraphOutput(), nullptr);
+  EXPECT_NE(run.Filter->GetHistogramOutput(), nullptr);
+  EXPECT_EQ(run.Filter->GetOutputDataObject(1), run.Filter->GetGraphOutput());
+  EXPECT_EQ(run.Filter->GetOutputDataObject(2), run.Filter->GetHistogramOutput());
+  for (int port = 2; port < 5; ++port)
+  {
+    EXPECT_NE(vtkTable::SafeDownCast(run.Filter->GetOutputDataObject(port)), nullptr);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, DefaultsAndRanges)
+{
+  vtkNew<vtkOrthogonalSliceReconstruction> filter;
+  EXPECT_EQ(filter->GetPlaneTolerance(), 1e-5);
+  EXPECT_EQ(filter->GetOrientation(), vtkOrthogonalSliceReconstruction::ORIENT_BY_NESTING);
+  EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::REFUSE);
+  EXPECT_EQ(filter->GetCrossingContours(), vtkOrthogonalSliceReconstruction::REPAIR_CROSSING);
+  EXPECT_EQ(filter->GetCentralPoint(), vtkOrthogonalSliceReconstruction::LEAST_SQUARES);
+  EXPECT_TRUE(filter->GetComputeNormals());
+  EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
+  filter->SetPlaneTolerance(-1.0);
+  EXPECT_EQ(filter->GetPlaneTolerance(), 0.0);
+  filter->SetPlaneTolerance(7.0);
+  EXPECT_EQ(filter->GetPlaneTolerance(), 0.1);
+  filter->SetOrientation(9);
+  EXPECT_EQ(filter->GetOrientation(), vtkOrthogonalSliceReconstruction::ORIENT_AS_DRAWN);
+  filter->SetInvalidContours(9);
+  EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::LEAVE_OUT);
+  filter->SetCrossingContours(9);
+  EXPECT_EQ(filter->GetCrossingContours(), vtkOrthogonalSliceReconstruction::LEAVE_OUT_CROSSING);
+  filter->SetCentralPoint(-3);
+  EXPECT_EQ(filter->GetCentralPoint(), vtkOrthogonalSliceReconstruction::LEAST_SQUARES);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, EverySetterChangesTheTimeOnlyIfTheValueChanges)
+{
+  vtkNew<vtkOrthogonalSliceReconstruction> filter;
+  const std::vector<std::function<void()>> changes{
+    [&] { filter->SetPlaneTolerance(0.01); },
+    [&] { filter->SetOrientationToAsDrawn(); },
+    [&] { filter->SetInvalidContoursToLeaveOut(); },
+    [&] { filter->SetCrossingContoursToRefuse(); },
+    [&] { filter->SetCrossingContoursToLeaveOut(); },
+    [&] { filter->SetCentralPointToCentroid(); },
+    [&] { filter->ComputeNormalsOff(); },
+    [&] { filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION); },
+  };
+  for (std::size_t i = 0; i < changes.size(); ++i)
+  {
+    SCOPED_TRACE(i);
+    const vtkMTimeType before = filter->GetMTime();
+    changes[i]();
+    const vtkMTimeType after = filter->GetMTime();
+    EXPECT_GT(after, before);
+    changes[i]();
+    EXPECT_EQ(filter->GetMTime(), after);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, PrintsEveryProperty)
+{
+  vtkNew<vtkOrthogonalSliceReconstruction> filter;
+  filter->SetInvalidContoursToLeaveOut();
+  std::ostringstream text;
+  filter->Print(text);
+  for (const char* name : { "PlaneTolerance: 1e-05", "Orientation: ", "InvalidContours: LeaveOut",
+         "CrossingContours: ", "CentralPoint: ", "ComputeNormals: ", "OutputPointsPrecision: " })
+  {
+    EXPECT_TRUE(Contains(text.str(), name)) << name;
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, EmptyPortIsAnErrorThatNamesIt)
+{
+  for (int port = 0; port < 3; ++port)
+  {
+    SCOPED_TRACE(port);
+    TextRun run{ Cube() };
+    vtkNew<vtkPolyData> empty;
+    run.Filter->SetInputData(port, empty);
+    run.Update();
+    ASSERT_GE(run.Errors.size(), 1u);
+    EXPECT_TRUE(Contains(run.Errors[0], "Port " + std::to_string(port))) << run.Errors[0];
+    EXPECT_TRUE(Contains(run.Errors[0], std::string(1, "xyz"[port]) + "-slices"));
+    ExpectEmptyOutputs(run.Filter);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, PointsWithoutLinesAreNoContours)
+{
+  TextRun run{ Cube() };
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(0, 0, 1);
+  const vtkIdType id = 0;
+  vtkNew<vtkCellArray> vertices;
+  vertices->InsertNextCell(1, &id);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  run.Filter->SetInputData(2, data);
+  run.Update();
+  ASSERT_GE(run.Errors.size(), 1u);
+  EXPECT_TRUE(Contains(run.Errors[0], "Port 2")) << run.Errors[0];
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, MissingInputIsAnError)
+{
+  for (int port = 0; port < 3; ++port)
+  {
+    TextRun run{ Cube() };
+    run.Filter->SetInputConnection(port, nullptr);
+    run.Update();
+    ASSERT_GE(run.Errors.size(), 1u);
+    EXPECT_TRUE(Contains(run.Errors[0], "port " + std::to_string(port))) << run.Errors[0];
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, UnusableContoursAreNamedWithPortCellAndCoordinate)
+{
+  ExpectRefused(
+    Cube() + "x=1: 0.6,0.6 nan,1 1,1", { "port 0", "x-slices", "cell 2", "finite", "nan, 1)" });
+  ExpectRefused(Cube() + "y=1.5 open: 3,4 8,9; y=1.5 open: 8,9 20,21",
+    { "port 1", "y-slices", "open", "1.5, " });
+  ExpectRefused(Cube() + "z=1: 5,5 6,5,1.25 6,6",
+    { "port 2", "z-slices", "cell 2", "leaves its plane", "(6, 5, 1.25)" });
+  ExpectRefused(Cube() + "z=7: 5,5 6,6 6,5 5,6", { "port 2", "cell 2", "crosses itself", ", 7)" });
+  ExpectRefused(Cube() + "x=2: 2,2 3,2 3,3 2,3", { "port 0", "cell 2", "crosses another", "(2, " });
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, CellNumbersAreThoseOfThePolyData)
+{
+  // Vertices come first, then lines, then polygons.
+  TextRun run{ Cube() };
+  vtkSmartPointer<vtkPolyData> data = MakePolyData(
+    ParsePieces("z=1: 0.5,0.5 2.5,0.5 2.5,2.5 0.5,2.5; z=2: 5,5 6,6 6,5 5,6")[2], Form::Polygon);
+  vtkNew<vtkCellArray> vertices;
+  for (vtkIdType id = 0; id < 3; ++id)
+  {
+    vertices->InsertNextCell(1, &id);
+  }
+  data->SetVerts(vertices);
+  run.Filter->SetInputData(2, data);
+  run.Filter->SetCrossingContoursToRefuse();
+  run.Update();
+  ASSERT_GE(run.Errors.size(), 1u);
+  EXPECT_TRUE(Contains(run.Errors[0], "cell 4")) << run.Errors[0];
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, ManyProblemsAreCountedAndTheFirstListed)
+{
+  std::string text = Cube();
+  for (int i = 0; i < 25; ++i)
+  {
+    text += "z=9: " + std::to_string(4 * i) + ",0 nan,1 1,1\n";
+  }
+  TextRun run{ text };
+  run.Update();
+  ASSERT_GE(run.Errors.size(), 1u);
+  EXPECT_TRUE(Contains(run.Errors[0], "25")) << run.Errors[0];
+  EXPECT_TRUE(Contains(run.Errors[0], "15 more")) << run.Errors[0];
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, OutputsAreEmptiedByAnErrorAndFilledAgain)
+{
+  FilterRun run(ParsePieces(Cube()));
+  run.Filter->SetCrossingContoursToRefuse();
+  const vtkIdType cells = run.Update()->GetNumberOfCells();
+  EXPECT_GT(cells, 0);
+  run.SetInputs(ParsePieces(Cube() + "z=7: 5,5 6,6 6,5 5,6"));
+  run.Update();
+  ExpectEmptyOutputs(run.Filter);
+  run.SetInputs(ParsePieces(Cube()));
+  EXPECT_EQ(run.Update()->GetNumberOfCells(), cells);
+  EXPECT_TRUE(run.Errors.empty());
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, LeavesOutUnusableContoursWithOneWarning)
+{
+  TextRun run{ Cube() + "z=1: 5,5 6,6 6,5 5,6; x=1: 0.6,0.6 nan,1 1,1; y=7 open: 3,4 8,9" };
+  run.Filter->SetInvalidContoursToLeaveOut();
+  run.Filter->SetCrossingContoursToLeaveOut();
+  vtkPolyData* surface = run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  ASSERT_EQ(run.Warnings.size(), 1u);
+  for (const char* part : { "port 0", "port 1", "port 2", "cell 2", "open", "finite", "itself" })
+  {
+    EXPECT_TRUE(Contains(run.Warnings[0], part)) << run.Warnings[0];
+  }
+  const SurfaceCheck check = CheckSurface(MeshOf(surface));
+  EXPECT_TRUE(check.IsClosedManifold()) << check;
+  EXPECT_EQ(FieldValue(surface, "NumberOfContours"), 6);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, RepairsCrossingContoursWithOneWarning)
+{
+  // A second square of the same slice crosses the first one; then a contour that crosses itself.
+  for (const char* more :
+    { "z=1: 2,2 2.8,2 2.8,2.8 2,2.8", "z=1.5: 0.5,0.5 2.5,2.5 2.5,0.5 0.5,2.5" })
+  {
+    SCOPED_TRACE(more);
+    TextRun run{ Cube() + more };
+    vtkPolyData* surface = run.Update();
+    EXPECT_TRUE(run.Errors.empty());
+    ASSERT_EQ(run.Warnings.size(), 1u);
+    EXPECT_TRUE(Contains(run.Warnings[0], "port 2 (z-slices), cell 2")) << run.Warnings[0];
+    EXPECT_TRUE(Contains(run.Warnings[0], "repaired")) << run.Warnings[0];
+    const SurfaceCheck check = CheckSurface(MeshOf(surface));
+    EXPECT_TRUE(check.IsClosedManifold()) << check;
+    EXPECT_GT(check.Components, 0);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, SaysNothingAboutSlicesThatAgree)
+{
+  TextRun run{ Cube() };
+  run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  EXPECT_TRUE(run.Warnings.empty());
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, WarnsOnceOfContradictionsAndIsolatedContours)
+{
+  FilterRun run(Stomach());
+  vtkPolyData* surface = run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  ASSERT_EQ(run.Warnings.size(), 1u);
+  for (const char* name :
+    { "NumberOfReconciledVertices", "NumberOfReconciledEdges", "NumberOfIsolatedContours" })
+  {
+    EXPECT_GT(FieldValue(surface, name), 0) << name;
+    EXPECT_TRUE(Contains(run.Warnings[0], std::to_string(FieldValue(surface, name)))) << name;
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, ProgressRisesToOne)
+{
+  FilterRun run(Stomach());
+  std::vector<double> progress;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&progress);
+  command->SetCallback([](vtkObject*, unsigned long, void* list, void* value)
+    { static_cast<std::vector<double>*>(list)->push_back(*static_cast<double*>(value)); });
+  run.Filter->AddObserver(vtkCommand::ProgressEvent, command);
+  run.Update();
+  ASSERT_GE(progress.size(), 5u);
+  EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+  EXPECT_GE(progress.front(), 0.0);
+  EXPECT_EQ(progress.back(), 1.0);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, AbortsAtAnyProgress)
+{
+  FilterRun run(ParsePieces(Cube()));
+  for (double limit : { 0.1, 0.4, 0.6 })
+  {
+    SCOPED_TRACE(limit);
+    vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(&limit);
+    command->SetCallback(
+      [](vtkObject* filter, unsigned long, void* at, void* value)
+      {
+        if (*static_cast<double*>(value) >= *static_cast<double*>(at))
+        {
+          static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1);
+        }
+      });
+    const unsigned long tag = run.Filter->AddObserver(vtkCommand::ProgressEvent, command);
+    run.Filter->Modified();
+    run.Update();
+    ExpectEmptyOutputs(run.Filter);
+    EXPECT_TRUE(run.Errors.empty());
+    run.Filter->RemoveObserver(tag);
+    run.Filter->SetAbortExecute(0);
+    run.Filter->Modified();
+    EXPECT_GT(run.Update()->GetNumberOfCells(), 0);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, PrecisionOfTheOutputPoints)
+{
+  const struct
+  {
+    int Precision, Input, Expected;
+  } cases[] = { { vtkAlgorithm::DEFAULT_PRECISION, VTK_FLOAT, VTK_FLOAT },
+    { vtkAlgorithm::DEFAULT_PRECISION, VTK_DOUBLE, VTK_DOUBLE },
+    { vtkAlgorithm::SINGLE_PRECISION, VTK_DOUBLE, VTK_FLOAT },
+    { vtkAlgorithm::DOUBLE_PRECISION, VTK_FLOAT, VTK_DOUBLE } };
+  for (const auto& c : cases)
+  {
+    FilterRun run(ParsePieces(Cube()), Form::ClosedLine, c.Input);
+    run.Filter->SetOutputPointsPrecision(c.Precision);
+    EXPECT_EQ(run.Update()->GetPoints()->GetDataType(), c.Expected);
+    EXPECT_EQ(run.Filter->GetGraphOutput()->GetPoints()->GetDataType(), c.Expected);
+  }
+  FilterRun run(ParsePieces(Cube()), Form::ClosedLine, VTK_FLOAT);
+  run.Filter->SetInputData(1, MakePolyData(ParsePieces(Cube())[1]));
+  EXPECT_EQ(run.Update()->GetPoints()->GetDataType(), VTK_DOUBLE);
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+template <typename Array>
+Array* GetArray(vtkFieldData* data, const char* name, int components, vtkIdType tuples)
+{
+  vtkAbstractArray* found = data->GetAbstractArray(name);
+  Array* array = Array::SafeDownCast(found);
+  EXPECT_NE(array, nullptr) << name;
+  if (array)
+  {
+    EXPECT_EQ(array->GetNumberOfComponents(), components) << name;
+    EXPECT_EQ(array->GetNumberOfTuples(), tuples) << name;
+  }
+  return array;
+}
+}
+
+TEST(ReconstructionFilter, ArraysOfTheSurface)
+{
+  FilterRun run(Stomach());
+  vtkPolyData* surface = run.Update();
+  const vtkIdType cells = surface->GetNumberOfCells();
+  GetArray<vtkIntArray>(surface->GetCellData(), "ComponentId", 1, cells);
+  GetArray<vtkUnsignedShortArray>(surface->GetCellData(), "GridCell", 3, cells);
+  GetArray<vtkUnsignedShortArray>(surface->GetCellData(), "PolygonSize", 1, cells);
+  GetArray<vtkUnsignedCharArray>(surface->GetCellData(), "Repaired", 1, cells);
+  GetArray<vtkFloatArray>(surface->GetPointData(), "Disagreement", 1, surface->GetNumberOfPoints());
+  auto* normals =
+    GetArray<vtkFloatArray>(surface->GetPointData(), "Normals", 3, surface->GetNumberOfPoints());
+  EXPECT_EQ(surface->GetPointData()->GetNormals(), normals);
+  EXPECT_EQ(surface->GetNumberOfPolys(), cells);
+  for (const char* name : { "NumberOfComponents", "NumberOfContours", "NumberOfIsolatedContours",
+         "NumberOfNodePoints", "NumberOfCellsWithSeveralCycles", "NumberOfReconciledEdges",
+         "NumberOfReconciledVertices", "NumberOfRepairs" })
+  {
+    GetArray<vtkIdTypeArray>(surface->GetFieldData(), name, 1, 1);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, FieldDataCountWhatIsThere)
+{
+  FilterRun run(Stomach());
+  vtkPolyData* surface = run.Update();
+  EXPECT_EQ(FieldValue(surface, "NumberOfComponents"), CheckSurface(MeshOf(surface)).Components);
+  EXPECT_EQ(FieldValue(surface, "NumberOfContours"), 86 + 99 + 42);
+  vtkPolyData* graph = run.Filter->GetGraphOutput();
+  vtkDataArray* kind = graph->GetCellData()->GetArray("Kind");
+  std::map<int, vtkIdType> count;
+  for (vtkIdType i = 0; i < graph->GetNumberOfCells(); ++i)
+  {
+    ++count[static_cast<int>(kind->GetTuple1(i))];
+  }
+  EXPECT_EQ(FieldValue(surface, "NumberOfNodePoints"), count[0]);
+  EXPECT_EQ(FieldValue(surface, "NumberOfIsolatedContours"), count[2]);
+  EXPECT_EQ(
+    FieldValue(surface, "NumberOfRepairs"), count[3] + count[4] + count[5] + count[6] + count[7]);
+  EXPECT_GE(count[3], FieldValue(surface, "NumberOfReconciledVertices"));
+  EXPECT_GE(count[4], FieldValue(surface, "NumberOfReconciledEdges"));
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, ComponentIdsAreTheComponents)
+{
+  FilterRun run(ReadPieceSets({ "pelvis", 2, 0, true }, 16));
+  vtkPolyData* surface = run.Update();
+  const SurfaceCheck check = CheckSurface(MeshOf(surface));
+  auto* ids = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("ComponentId"));
+  std::map<std::int64_t, std::set<int>> found;
+  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
+  {
+    found[check.Component[i]].insert(ids->GetValue(i));
+  }
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].size(), 1u);
+  EXPECT_EQ(found[1].size(), 1u);
+  EXPECT_NE(*found[0].begin(), *found[1].begin());
+  EXPECT_EQ(*found[0].begin() + *found[1].begin(), 1); // numbered from 0
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, GridCellsHoldTheirTriangles)
+{
+  const Solid solid = TiltedTorus();
+  const PlaneSets planes = EqualPlanes(solid, { 9, 10, 11 });
+  FilterRun run(SliceSolid(solid, planes, 3, InPlaneGrid::Free));
+  vtkPolyData* surface = run.Update();
+  vtkDataArray* cells = surface->GetCellData()->GetArray("GridCell");
+  PlaneSets used;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vtkDataArray* points =
+      vtkPolyData::SafeDownCast(run.Filter->GetInputDataObject(axis, 0))->GetPoints()->GetData();
+    std::set<double> distinct;
+    for (vtkIdType i = 0; i < points->GetNumberOfTuples(); ++i)
+    {
+      distinct.insert(points->GetComponent(i, axis));
+    }
+    used[axis].assign(distinct.begin(), distinct.end());
+  }
+  const TriangleMesh mesh = MeshOf(surface);
+  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto slab = static_cast<std::size_t>(cells->GetComponent(t, axis));
+      for (const std::int64_t id : mesh.Triangles[t])
+      {
+        const double x = mesh.Points[id][axis];
+        EXPECT_TRUE(slab == 0 || x >= used[axis][slab - 1]);
+        EXPECT_TRUE(slab == used[axis].size() || x <= used[axis][slab]);
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, NormalsPointOutwards)
+{
+  const Solid solid = TiltedTorus();
+  FilterRun run(SliceSolid(solid, EqualPlanes(solid, { 14, 14, 14 }), 3, InPlaneGrid::Free));
+  vtkPolyData* surface = run.Update();
+  auto* normals = vtkFloatArray::SafeDownCast(surface->GetPointData()->GetNormals());
+  ASSERT_NE(normals, nullptr);
+  double mean = 0.0;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    const float* n = normals->GetPointer(3 * i);
+    EXPECT_NEAR(std::hypot(n[0], n[1], n[2]), 1.0, 1e-5);
+    Point3 p;
+    surface->GetPoint(i, p.data());
+    const Point3 g = solid.Gradient(p);
+    mean += (n[0] * g[0] + n[1] * g[1] + n[2] * g[2]) / surface->GetNumberOfPoints();
+  }
+  EXPECT_GT(mean, 0.97);
+  run.Filter->ComputeNormalsOff();
+  EXPECT_EQ(run.Update()->GetPointData()->GetNormals(), nullptr);
+  EXPECT_EQ(run.Filter->GetOutput()->GetPointData()->GetArray("Normals"), nullptr);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, HistogramHasAllSizesAndAllPolygons)
+{
+  FilterRun run(Stomach());
+  vtkPolyData* surface = run.Update();
+  vtkTable* table = run.Filter->GetHistogramOutput();
+  auto* sizes = vtkIdTypeArray::SafeDownCast(table->GetColumnByName("PolygonSize"));
+  auto* counts = vtkIdTypeArray::SafeDownCast(table->GetColumnByName("Count"));
+  ASSERT_NE(sizes, nullptr);
+  ASSERT_NE(counts, nullptr);
+  ASSERT_GT(table->GetNumberOfRows(), 2);
+  EXPECT_EQ(table->GetNumberOfColumns(), 2);
+  vtkDataArray* ofTriangle = surface->GetCellData()->GetArray("PolygonSize");
+  std::set<vtkIdType> occurring;
+  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
+  {
+    occurring.insert(static_cast<vtkIdType>(ofTriangle->GetTuple1(i)));
+  }
+  EXPECT_EQ(sizes->GetValue(0), *occurring.begin());
+  EXPECT_EQ(sizes->GetValue(table->GetNumberOfRows() - 1), *occurring.rbegin());
+  vtkIdType nodes = 0;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    EXPECT_EQ(sizes->GetValue(row), sizes->GetValue(0) + row);
+    EXPECT_EQ(counts->GetValue(row) > 0, occurring.count(sizes->GetValue(row)) == 1);
+    nodes += sizes->GetValue(row) * counts->GetValue(row);
+  }
+  // Each of the four cells around a node point has it in one polygon.
+  EXPECT_EQ(nodes, 4 * FieldValue(surface, "NumberOfNodePoints"));
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, HistogramOfTheCube)
+{
+  TextRun run{ Cube() };
+  run.Update();
+  vtkTable* table = run.Filter->GetHistogramOutput();
+  ASSERT_EQ(table->GetNumberOfRows(), 2);
+  EXPECT_EQ(table->GetValueByName(0, "PolygonSize").ToInt(), 3);
+  EXPECT_EQ(table->GetValueByName(0, "Count").ToInt(), 8);
+  EXPECT_EQ(table->GetValueByName(1, "PolygonSize").ToInt(), 4);
+  EXPECT_EQ(table->GetValueByName(1, "Count").ToInt(), 18);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, GraphHasNodePointsRepairsArcsAndIsolatedContours)
+{
+  FilterRun run(Stomach());
+  vtkPolyData* surface = run.Update();
+  const vtkIdType isolated = FieldValue(surface, "NumberOfIsolatedContours");
+  const vtkIdType repairs = FieldValue(surface, "NumberOfRepairs");
+  vtkPolyData* graph = run.Filter->GetGraphOutput();
+  const vtkIdType nodes = graph->GetNumberOfVerts() - repairs, cells = graph->GetNumberOfCells();
+  ASSERT_GT(nodes, 0);
+  EXPECT_EQ(graph->GetNumberOfLines(), 2 * nodes + isolated); // four half-arcs at each node
+  vtkFieldData* data = graph->GetCellData();
+  auto* kind = GetArray<vtkUnsignedCharArray>(data, "Kind", 1, cells);
+  auto* disagreement = GetArray<vtkDoubleArray>(data, "Disagreement", 1, cells);
+  auto* axis = GetArray<vtkIntArray>(data, "SliceAxis", 1, cells);
+  auto* plane = GetArray<vtkIntArray>(data, "SlicePlane", 1, cells);
+  auto* length = GetArray<vtkDoubleArray>(data, "Length", 1, cells);
+  auto* component = GetArray<vtkIntArray>(data, "ComponentId", 1, cells);
+  auto* size = GetArray<vtkFloatArray>(data, "RepairSize", 1, cells);
+  std::map<vtkIdType, int> arcsAtNode;
+  double greatest = 0.0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < cells; ++cell)
+  {
+    SCOPED_TRACE(cell);
+    graph->GetCellPoints(cell, ids);
+    const vtkIdType first = ids->GetId(0), last = ids->GetId(ids->GetNumberOfIds() - 1);
+    const int expected = cell < nodes ? 0
+      : cell < nodes + repairs        ? std::max<int>(3, kind->GetValue(cell))
+      : cell < cells - isolated       ? 1
+                                      : 2;
+    ASSERT_EQ(kind->GetValue(cell), expected);
+    const bool isLine = expected == 1 || expected == 2;
+    EXPECT_EQ(axis->GetValue(cell) == -1, expected == 0 || expected == 7);
+    EXPECT_EQ(plane->GetValue(cell) == -1, axis->GetValue(cell) == -1);
+    EXPECT_EQ(component->GetValue(cell) == -1, expected >= 2);
+    EXPECT_EQ(size->GetValue(cell) > 0.0f, expected >= 3);
+    EXPECT_EQ(length->GetValue(cell) > 0.0, isLine);
+    EXPECT_TRUE(expected == 0 || disagreement->GetValue(cell) == 0.0);
+    greatest = std::max(greatest, disagreement->GetValue(cell));
+    if (!isLine)
+    {
+      EXPECT_EQ(ids->GetNumberOfIds(), 1);
+      EXPECT_TRUE(expected != 0 || first == cell);
+      continue;
+    }
+    EXPECT_EQ(first == last, expected == 2);
+    double sum = 0.0, a[3], b[3];
+    for (vtkIdType i = 1; i < ids->GetNumberOfIds(); ++i)
+    {
+      graph->GetPoint(ids->GetId(i - 1), a);
+      graph->GetPoint(ids->GetId(i), b);
+      EXPECT_EQ(a[axis->GetValue(cell)], b[axis->GetValue(cell)]); // both on the slice
+      sum += std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+    }
+    EXPECT_NEAR(length->GetValue(cell), sum, 1e-9 * (1.0 + sum));
+    if (expected == 1)
+    {
+      ++arcsAtNode[first];
+      ++arcsAtNode[last];
+    }
+  }
+  EXPECT_GT(greatest, 0.0);
+  EXPECT_EQ(static_cast<vtkIdType>(arcsAtNode.size()), nodes);
+  for (const auto& node : arcsAtNode)
+  {
+    EXPECT_EQ(node.second, 4);
+  }
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+std::vector<double> Column(vtkTable* table, const char* name)
+{
+  std::vector<double> values;
+  auto* column = vtkDataArray::SafeDownCast(table->GetColumnByName(name));
+  EXPECT_NE(column, nullptr) << name;
+  for (vtkIdType row = 0; column && row < table->GetNumberOfRows(); ++row)
+  {
+    values.push_back(column->GetTuple1(row));
+  }
+  return values;
+}
+}
+
+TEST(ReconstructionFilter, TableOfContoursHasARowForEach)
+{
+  FilterRun run(Stomach());
+  vtkPolyData* surface = run.Update();
+  vtkTable* table = TableOf(run.Filter, 3);
+  ASSERT_EQ(table->GetNumberOfRows(), FieldValue(surface, "NumberOfContours"));
+  const auto port = Column(table, "Port"), cell = Column(table, "Cell");
+  const auto plane = Column(table, "PlaneCoordinate"), nodes = Column(table, "NodePoints");
+  const auto rms = Column(table, "RmsDisagreement"), most = Column(table, "MaxDisagreement");
+  double sum = 0.0;
+  for (std::size_t row = 0; row < port.size(); ++row)
+  {
+    auto* input =
+      vtkPolyData::SafeDownCast(run.Filter->GetInputDataObject(static_cast<int>(port[row]), 0));
+    vtkNew<vtkIdList> ids;
+    input->GetCellPoints(static_cast<vtkIdType>(cell[row]), ids);
+    double x[3];
+    input->GetPoint(ids->GetId(0), x);
+    EXPECT_EQ(x[static_cast<int>(port[row])], plane[row]);
+    EXPECT_LE(rms[row], most[row] * (1.0 + 1e-12));
+    EXPECT_TRUE(nodes[row] > 0 || most[row] == 0.0);
+    sum += nodes[row];
+  }
+  // Two contours meet in a node point, unless a slice was overruled there and has none.
+  const double nodePoints = static_cast<double>(FieldValue(surface, "NumberOfNodePoints"));
+  EXPECT_LE(sum, 2.0 * nodePoints);
+  EXPECT_GT(sum, 1.9 * nodePoints);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, TableOfSlicesShowsTheSliceThatWasMoved)
+{
+  const Solid solid = TiltedTorus();
+  const PlaneSets planes = EqualPlanes(solid, { 14, 14, 14 });
+  PieceSets sets = SliceSolid(solid, planes, 4, InPlaneGrid::Free);
+  const double moved = planes[2][6];
+  for (std::size_t i = 0; i < sets[2].U.size(); ++i)
+  {
+    sets[2].U[i] += sets[2].W[i] == moved ? 0.04 : 0.0;
+    sets[2].V[i] -= sets[2].W[i] == moved ? 0.02 : 0.0;
+  }
+  FilterRun run(sets);
+  run.Update();
+  vtkTable* table = TableOf(run.Filter, 4);
+  const auto axis = Column(table, "SliceAxis"), plane = Column(table, "PlaneCoordinate");
+  const auto rms = Column(table, "RmsDisagreement");
+  const auto x = Column(table, "ShiftX"), y = Column(table, "ShiftY"), z = Column(table, "ShiftZ");
+  const auto worst =
+    static_cast<std::size_t>(std::max_element(rms.begin(), rms.end()) - rms.begin());
+  ASSERT_LT(worst, axis.size());
+  EXPECT_EQ(axis[worst], 2.0);
+  EXPECT_EQ(plane[worst], moved);
+  EXPECT_NEAR(x[worst], -0.04, 0.01);
+  EXPECT_NEAR(y[worst], 0.02, 0.01);
+  EXPECT_EQ(z[worst], 0.0);
+  for (std::size_t row = 0; row < axis.size(); ++row)
+  {
+    EXPECT_TRUE(row == worst || std::hypot(x[row], y[row], z[row]) < 0.02) << row;
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, DisagreementIsInWorldUnits)
+{
+  TextRun run{ "x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1; z=0: -1,-1 1,-1 1,1.5 -1,1.5" };
+  run.Update();
+  vtkDataArray* array = run.Filter->GetGraphOutput()->GetCellData()->GetArray("Disagreement");
+  double range[2];
+  array->GetRange(range);
+  EXPECT_EQ(range[0], 0.0);
+  EXPECT_EQ(range[1], 0.5);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, SurfaceBeginsWithThePointsOfTheGraph)
+{
+  TextRun run{ Cube() };
+  vtkPolyData* surface = run.Update();
+  vtkPolyData* graph = run.Filter->GetGraphOutput();
+  ASSERT_LT(graph->GetNumberOfPoints(), surface->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < graph->GetNumberOfPoints(); ++i)
+  {
+    double a[3], b[3];
+    graph->GetPoint(i, a);
+    surface->GetPoint(i, b);
+    EXPECT_TRUE(std::equal(a, a + 3, b)) << i;
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, PassesOverGhostCells)
+{
+  TextRun run{ Cube() };
+  const vtkIdType cells = run.Update()->GetNumberOfCells();
+  auto data = MakePolyData(ParsePieces(Cube() + "z=1.5: 0.6,0.6 0.7,0.6 0.7,0.7")[2]);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(3);
+  ghosts->FillValue(0);
+  ghosts->SetValue(2, vtkDataSetAttributes::DUPLICATECELL);
+  data->GetCellData()->AddArray(ghosts);
+  run.Filter->SetInputData(2, data);
+  EXPECT_EQ(run.Update()->GetNumberOfCells(), cells);
+  EXPECT_EQ(FieldValue(run.Filter->GetOutput(), "NumberOfContours"), 6);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, LeavesItsInputsAlone)
+{
+  FilterRun run(ParsePieces(Cube()), Form::Mixture);
+  std::vector<vtkSmartPointer<vtkPolyData>> copies;
+  std::vector<vtkMTimeType> times;
+  for (int port = 0; port < 3; ++port)
+  {
+    auto* input = vtkPolyData::SafeDownCast(run.Filter->GetInputDataObject(port, 0));
+    copies.push_back(vtkSmartPointer<vtkPolyData>::New());
+    copies.back()->DeepCopy(input);
+    times.push_back(input->GetMTime());
+  }
+  run.Update();
+  for (int port = 0; port < 3; ++port)
+  {
+    auto* input = vtkPolyData::SafeDownCast(run.Filter->GetInputDataObject(port, 0));
+    EXPECT_EQ(input->GetMTime(), times[port]);
+    ASSERT_EQ(input->GetNumberOfPoints(), copies[port]->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+    {
+      double a[3], b[3];
+      input->GetPoint(i, a);
+      copies[port]->GetPoint(i, b);
+      EXPECT_TRUE(std::equal(a, a + 3, b));
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, OrientationAsDrawnTrustsTheDirections)
+{
+  // Drawn by nesting, the inner square is a hole; drawn alike, it is inside of the inside.
+  std::string text;
+  for (const char* plane : { "x=0:", "y=0:", "z=0:" })
+  {
+    text += std::string(plane) + " -2,-2 2,-2 2,2 -2,2\n";
+    text += std::string(plane) + " -1,-1 1,-1 1,1 -1,1\n";
+  }
+  TextRun run{ text };
+  EXPECT_EQ(FieldValue(run.Update(), "NumberOfComponents"), 2);
+  run.Filter->SetOrientationToAsDrawn();
+  EXPECT_EQ(FieldValue(run.Update(), "NumberOfNodePoints") % 6, 0);
+  const SurfaceCheck check = CheckSurface(MeshOf(run.Filter->GetOutput()));
+  EXPECT_TRUE(check.IsClosedManifold()) << check;
+  EXPECT_GT(check.TotalVolume(), 4.0 * 8.0 / 6.0);
+}
+
+//----------------------------------------------------------------------------
+// What VTK's own filters leave is accepted as it comes.
+
+namespace
+{
+void ExpectBall(FilterRun& run)
+{
+  vtkPolyData* surface = run.Update();
+  ASSERT_TRUE(run.Errors.empty()) << run.Errors[0];
+  const SurfaceCheck check = CheckSurface(MeshOf(surface));
+  EXPECT_TRUE(check.IsClosedManifold()) << check;
+  EXPECT_EQ(check.Components, 1);
+  EXPECT_EQ(check.TotalGenus(), 0);
+  EXPECT_NEAR(check.TotalVolume(), 4.0 / 3.0 * 3.14159265, 0.1);
+}
+
+vtkSmartPointer<vtkPolyData> CutBall(int axis, double offset)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(1.0);
+  sphere->SetThetaResolution(48);
+  sphere->SetPhiResolution(40);
+  vtkNew<vtkPlane> plane;
+  double normal[3] = { 0, 0, 0 };
+  normal[axis] = 1.0;
+  plane->SetNormal(normal);
+  vtkNew<vtkCutter> cutter;
+  cutter->SetInputConnection(sphere->GetOutputPort());
+  cutter->SetCutFunction(plane);
+  cutter->GenerateTrianglesOff();
+  for (int i = -4; i <= 4; ++i)
+  {
+    cutter->SetValue(i + 4, 0.21 * i + offset);
+  }
+  cutter->Update();
+  return cutter->GetOutput();
+}
+}
+
+TEST(ReconstructionFilter, AcceptsVtkCutter)
+{
+  FilterRun run;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    run.Filter->SetInputData(axis, CutBall(axis, 0.013));
+  }
+  ExpectBall(run);
+}
+
+//----------------------------------------------------------------------------
+/// Planes through mesh vertices and along rows of mesh edges, with the cutter's duplicate segments.
+TEST(ReconstructionFilter, AcceptsVtkCutterThroughMeshVertices)
+{
+  FilterRun run;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    run.Filter->SetInputData(axis, CutBall(axis, 0.0));
+  }
+  ExpectBall(run);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, AcceptsVtkStripper)
+{
+  FilterRun run;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    vtkNew<vtkStripper> stripper;
+    stripper->SetInputData(CutBall(axis, 0.013));
+    stripper->SetMaximumLength(20); // contours in several pieces
+    stripper->Update();
+    run.Filter->SetInputData(axis, stripper->GetOutput());
+  }
+  ExpectBall(run);
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// Distance to the unit sphere on a grid whose samples lie nowhere near it.
+vtkSmartPointer<vtkImageData> BallImage()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(33, 33, 33);
+  image->SetOrigin(-1.217, -1.223, -1.231);
+  image->SetSpacing(0.077, 0.077, 0.077);
+  vtkNew<vtkFloatArray> values;
+  values->SetNumberOfValues(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double* p = image->GetPoint(i);
+    values->SetValue(i, static_cast<float>(std::hypot(p[0], p[1], p[2]) - 1.0));
+  }
+  values->SetName("Distance");
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
+/// The contours of every second image slice across an axis.
+template <typename Contour>
+vtkSmartPointer<vtkPolyData> ContourSlices(int axis)
+{
+  const auto image = BallImage();
+  vtkNew<vtkAppendPolyData> all;
+  for (int slice = 4; slice < 30; slice += 2)
+  {
+    vtkNew<vtkExtractVOI> extract;
+    int box[6] = { 0, 32, 0, 32, 0, 32 };
+    box[2 * axis] = box[2 * axis + 1] = slice;
+    extract->SetInputData(image);
+    extract->SetVOI(box);
+    vtkNew<Contour> contour;
+    contour->SetInputConnection(extract->GetOutputPort());
+    contour->SetValue(0, 0.0);
+    contour->Update();
+    all->AddInputData(contour->GetOutput());
+  }
+  all->Update();
+  return all->GetOutput();
+}
+}
+
+TEST(ReconstructionFilter, AcceptsVtkMarchingSquares)
+{
+  FilterRun run;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    run.Filter->SetInputData(axis, ContourSlices<vtkMarchingSquares>(axis));
+  }
+  ExpectBall(run);
+}
+
+//----------------------------------------------------------------------------
+/// For z-slices; on images across x and y, VTK 9.1's vtkFlyingEdges2D gives points off their plane.
+TEST(ReconstructionFilter, AcceptsVtkFlyingEdges2D)
+{
+  FilterRun run;
+  run.Filter->SetInputData(0, ContourSlices<vtkMarchingSquares>(0));
+  run.Filter->SetInputData(1, ContourSlices<vtkMarchingSquares>(1));
+  run.Filter->SetInputData(2, ContourSlices<vtkFlyingEdges2D>(2));
+  ExpectBall(run);
+}
