@@ -12,6 +12,7 @@
 #include "Comparison.h"
 #include "DistanceInterpolation.h"
 #include "DistanceInterpolationThreeFamilies.h"
+#include "MethodSummary.h"
 #include "SideBySidePicture.h"
 
 #include "vtkNew.h"
@@ -44,6 +45,9 @@ const char* const Usage =
   --csv FILE          also write the rows as comma-separated values
   --surfaces FOLDER   also write every surface as FOLDER/<comparison>_<N>_<case>_<method>.vtp
   --picture FILE.png  also show our surface, ruled, volume and truth of the first case
+  --noise P,Q         noise on the contours, in per cent of h: prints only a Markdown table of all
+                      methods against these levels, e.g. 0,1,2,5,10,20
+  --summary           print only Markdown tables with the medians of each method
   --sweep             figures of the volume methods against their resolution instead
   --list              print the methods and the cases
 Lengths are in units of h, the geometric mean of the three slice spacings; normals in degrees.
@@ -58,9 +62,11 @@ struct Options
   std::vector<Comparison> Comparisons{ Comparison::SamePlanes };
   int Number = 32;
   std::int64_t Samples = 100000;
+  std::vector<double> Noises;
   std::string CsvFile;
   std::string SurfaceFolder;
   std::string PictureFile;
+  bool Summary = false;
   bool Sweep = false;
   bool List = false;
   bool Help = false;
@@ -114,6 +120,34 @@ std::int64_t ParsePositive(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+std::vector<double> ParsePercents(const std::string& text)
+{
+  std::vector<double> percents;
+  for (const std::string& part : SplitAtCommas(text))
+  {
+    std::istringstream stream(part);
+    double percent = -1.0;
+    if (!(stream >> percent) || !stream.eof() || percent < 0.0 || percent > 1000.0)
+    {
+      throw std::runtime_error("\"" + part + "\" is not a number of per cent");
+    }
+    percents.push_back(percent);
+  }
+  return percents;
+}
+
+//------------------------------------------------------------------------------
+// Switches without a value.
+bool* FindSwitch(const std::string& option, Options& options)
+{
+  return option == "--summary" ? &options.Summary
+    : option == "--sweep"      ? &options.Sweep
+    : option == "--list"       ? &options.List
+    : option == "--help"       ? &options.Help
+                               : nullptr;
+}
+
+//------------------------------------------------------------------------------
 void ParseValue(const std::string& option, const std::string& value, Options& options)
 {
   if (option == "--data")
@@ -140,6 +174,10 @@ void ParseValue(const std::string& option, const std::string& value, Options& op
   {
     options.Samples = ParsePositive(value);
   }
+  else if (option == "--noise")
+  {
+    options.Noises = ParsePercents(value);
+  }
   else if (option == "--csv")
   {
     options.CsvFile = value;
@@ -165,11 +203,9 @@ Options Parse(const std::vector<std::string>& arguments)
   for (std::size_t i = 0; i < arguments.size(); ++i)
   {
     const std::string& option = arguments[i];
-    if (option == "--sweep" || option == "--list" || option == "--help")
+    if (bool* const flag = FindSwitch(option, options))
     {
-      (option == "--sweep"     ? options.Sweep
-          : option == "--list" ? options.List
-                               : options.Help) = true;
+      *flag = true;
     }
     else if (i + 1 < arguments.size())
     {
@@ -325,6 +361,40 @@ std::vector<Row> Sweep(const Options& options)
 }
 
 //------------------------------------------------------------------------------
+// All methods on the same noisy contours.
+void RunNoiseLevel(
+  const Methods& methods, const Task& task, const Options& options, std::vector<Row>& rows)
+{
+  for (const std::unique_ptr<Baseline>& method : methods)
+  {
+    std::cerr << NameOf(task.Kind) << ' ' << task.CaseName << ' ' << method->Name() << " noise "
+              << task.NoisePercent << " %" << std::endl;
+    Outcome outcome = RunMethod(*method, task, options.Samples);
+    CountCrossings(outcome);
+    rows.push_back(outcome.Figures);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<Row> AddNoiseStepwise(const Options& options)
+{
+  const Methods methods = SelectMethods(options.Methods);
+  std::vector<Row> rows;
+  for (const Comparison comparison : options.Comparisons)
+  {
+    for (const std::string& name : SelectCases(options))
+    {
+      const Task task = MakeTask(options.Data, name, comparison, options.Number);
+      for (const double percent : options.Noises)
+      {
+        RunNoiseLevel(methods, WithNoise(task, percent), options, rows);
+      }
+    }
+  }
+  return rows;
+}
+
+//------------------------------------------------------------------------------
 void PrintList(const Options& options)
 {
   for (const std::unique_ptr<Baseline>& method : MakeAllMethods())
@@ -334,6 +404,33 @@ void PrintList(const Options& options)
   for (const std::string& name : ListCases(options.Data))
   {
     std::cout << name << '\n';
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<Row> MakeRows(const Options& options)
+{
+  if (options.Sweep)
+  {
+    return Sweep(options);
+  }
+  return options.Noises.empty() ? Compare(options) : AddNoiseStepwise(options);
+}
+
+//------------------------------------------------------------------------------
+void PrintRows(const std::vector<Row>& rows, const Options& options)
+{
+  if (!options.Noises.empty())
+  {
+    PrintNoiseTables(rows, std::cout);
+  }
+  else if (options.Summary)
+  {
+    PrintMarkdownSummaries(rows, std::cout);
+  }
+  else
+  {
+    PrintTable(rows, std::cout);
   }
 }
 
@@ -350,8 +447,8 @@ void Run(const Options& options)
     PrintList(options);
     return;
   }
-  const std::vector<Row> rows = options.Sweep ? Sweep(options) : Compare(options);
-  PrintTable(rows, std::cout);
+  const std::vector<Row> rows = MakeRows(options);
+  PrintRows(rows, options);
   if (!options.CsvFile.empty())
   {
     std::ofstream file(options.CsvFile);

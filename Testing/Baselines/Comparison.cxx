@@ -3,14 +3,17 @@
 #include "Comparison.h"
 
 #include "CaseFolder.h"
+#include "MethodSummary.h"
+#include "NoisyContours.h"
+
+#include "Support/CheckSurface.h"
 
 #include <algorithm>
 #include <chrono>
 #include <exception>
 #include <iomanip>
-#include <map>
+#include <iterator>
 #include <ostream>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -41,15 +44,6 @@ void Measure(const Task& task, std::int64_t samples, Outcome& outcome)
 }
 
 //------------------------------------------------------------------------------
-// Rounded to DIGITS after the point.
-std::string Format(double value, int digits)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
-}
-
-//------------------------------------------------------------------------------
 std::string FormatGenus(const support::Topology& shape)
 {
   return shape.Genus ? std::to_string(*shape.Genus) : "-";
@@ -73,14 +67,14 @@ Cells FormatRow(const Row& row)
   const support::Deviation& d = *row.Figures;
   for (const double length : { d.RootMeanSquare, d.Mean, d.Hausdorff })
   {
-    cells.push_back(Format(length, 4));
+    cells.push_back(FormatNumber(length, 4));
   }
-  cells.push_back(Format(d.NormalDegrees, 2));
+  cells.push_back(FormatNumber(d.NormalDegrees, 2));
   cells.push_back(std::to_string(row.Shape.Components));
   cells.push_back(FormatGenus(row.Shape));
   cells.push_back(row.Shape.IsWatertight() ? "yes" : "no");
   cells.push_back(row.IsTopologyRight ? "right" : "wrong");
-  cells.push_back(Format(row.Seconds, 3));
+  cells.push_back(FormatNumber(row.Seconds, 3));
   return cells;
 }
 
@@ -110,75 +104,23 @@ void PrintAligned(const std::vector<Cells>& lines, std::size_t textColumns, std:
 }
 
 //------------------------------------------------------------------------------
-std::string FormatMedian(std::vector<double> values, int digits)
+Cells FormatSummary(const MethodSummary& summary)
 {
-  if (values.empty())
-  {
-    return "-";
-  }
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return Format(0.5 * (values[half] + values[(values.size() - 1) / 2]), digits);
+  const std::string runs = " of " + std::to_string(summary.Runs);
+  return { summary.MethodName, FormatMedian(summary.RootMeanSquares, 4),
+    FormatMedian(summary.Hausdorffs, 4), FormatMedian(summary.Normals, 2),
+    std::to_string(summary.Watertight) + runs, std::to_string(summary.Right) + runs,
+    FormatNumber(summary.Seconds, 2) };
 }
-
-//------------------------------------------------------------------------------
-// The figures of one method over all cases of a comparison.
-struct Summary
-{
-  std::string MethodName;
-  std::size_t Runs = 0;
-  std::size_t Right = 0;
-  std::size_t Watertight = 0;
-  std::vector<double> RootMeanSquares;
-  std::vector<double> Hausdorffs;
-  std::vector<double> Normals;
-  double Seconds = 0.0;
-
-  void Add(const Row& row)
-  {
-    ++this->Runs;
-    this->Right += row.IsTopologyRight;
-    this->Watertight += row.Shape.IsWatertight();
-    this->Seconds += row.Seconds;
-    if (row.Figures)
-    {
-      this->RootMeanSquares.push_back(row.Figures->RootMeanSquare);
-      this->Hausdorffs.push_back(row.Figures->Hausdorff);
-      this->Normals.push_back(row.Figures->NormalDegrees);
-    }
-  }
-
-  Cells Format() const
-  {
-    const std::string runs = " of " + std::to_string(this->Runs);
-    return { this->MethodName, FormatMedian(this->RootMeanSquares, 4),
-      FormatMedian(this->Hausdorffs, 4), FormatMedian(this->Normals, 2),
-      std::to_string(this->Watertight) + runs, std::to_string(this->Right) + runs,
-      baselines::Format(this->Seconds, 2) };
-  }
-};
 
 //------------------------------------------------------------------------------
 void PrintSummary(const std::vector<Row>& rows, std::ostream& out)
 {
-  std::vector<Summary> summaries;
-  for (const Row& row : rows)
-  {
-    const auto same = [&row](const Summary& s) { return s.MethodName == row.MethodName; };
-    auto found = std::find_if(summaries.begin(), summaries.end(), same);
-    if (found == summaries.end())
-    {
-      summaries.emplace_back();
-      found = summaries.end() - 1;
-      found->MethodName = row.MethodName;
-    }
-    found->Add(row);
-  }
   std::vector<Cells> lines{ { "medians of " + rows.front().ComparisonName, "RMS/h", "Hausdorff/h",
     "normals", "watertight", "topology right", "seconds (sum)" } };
-  for (const Summary& summary : summaries)
+  for (const MethodSummary& summary : SummarizeByMethod(rows))
   {
-    lines.push_back(summary.Format());
+    lines.push_back(FormatSummary(summary));
   }
   PrintAligned(lines, 1, out);
 }
@@ -261,6 +203,17 @@ Task MakeTask(const std::string& folder, const std::string& name, Comparison kin
 }
 
 //------------------------------------------------------------------------------
+Task WithNoise(const Task& task, double percent)
+{
+  constexpr std::uint64_t seed = 2004;
+  Task noisy = task;
+  noisy.NoisePercent = percent;
+  noisy.Orthogonal = AddNoise(task.Orthogonal, 0.01 * percent * task.Spacing, seed);
+  noisy.Parallel = AddNoise(task.Parallel, 0.01 * percent * task.Spacing, seed);
+  return noisy;
+}
+
+//------------------------------------------------------------------------------
 Outcome RunMethod(const Baseline& method, const Task& task, std::int64_t samples)
 {
   Outcome outcome;
@@ -269,6 +222,7 @@ Outcome RunMethod(const Baseline& method, const Task& task, std::int64_t samples
   row.CaseName = task.CaseName;
   row.ComparisonName = NameOf(task.Kind);
   row.Number = task.Number;
+  row.NoisePercent = task.NoisePercent;
   row.MethodName = method.Name();
   const auto start = std::chrono::steady_clock::now();
   try
@@ -283,6 +237,15 @@ Outcome RunMethod(const Baseline& method, const Task& task, std::int64_t samples
     row.Status = std::string("failed: ") + error.what();
   }
   return outcome;
+}
+
+//------------------------------------------------------------------------------
+void CountCrossings(Outcome& outcome)
+{
+  if (outcome.Figures.Figures)
+  {
+    outcome.Figures.Crossings = support::CountCrossings(support::MeshOf(outcome.Surface));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -311,19 +274,21 @@ void PrintTable(const std::vector<Row>& rows, std::ostream& out)
 //------------------------------------------------------------------------------
 void WriteCsv(const std::vector<Row>& rows, std::ostream& out)
 {
-  out << "comparison,N,case,method,status,rms_h,mean_h,hausdorff_h,normal_degrees,components,genus,"
+  out << "comparison,N,noise_percent,case,method,status,rms_h,mean_h,hausdorff_h,normal_degrees,"
+         "components,genus,"
          "watertight,closed_manifold,topology_right,open_edges,non_manifold_edges,triangles,"
-         "seconds\n";
+         "crossings,seconds\n";
   for (const Row& row : rows)
   {
     const support::Deviation d = row.Figures.value_or(support::Deviation());
-    out << row.ComparisonName << ',' << row.Number << ',' << QuoteCsv(row.CaseName) << ','
-        << row.MethodName << ',' << QuoteCsv(row.Status) << ',' << d.RootMeanSquare << ',' << d.Mean
-        << ',' << d.Hausdorff << ',' << d.NormalDegrees << ',' << row.Shape.Components << ','
-        << (row.Shape.Genus ? std::to_string(*row.Shape.Genus) : "") << ','
-        << row.Shape.IsWatertight() << ',' << row.Shape.IsClosedManifold() << ','
+    out << row.ComparisonName << ',' << row.Number << ',' << row.NoisePercent << ','
+        << QuoteCsv(row.CaseName) << ',' << row.MethodName << ',' << QuoteCsv(row.Status) << ','
+        << d.RootMeanSquare << ',' << d.Mean << ',' << d.Hausdorff << ',' << d.NormalDegrees << ','
+        << row.Shape.Components << ',' << (row.Shape.Genus ? std::to_string(*row.Shape.Genus) : "")
+        << ',' << row.Shape.IsWatertight() << ',' << row.Shape.IsClosedManifold() << ','
         << row.IsTopologyRight << ',' << row.Shape.OpenEdges << ',' << row.Shape.NonManifoldEdges
-        << ',' << row.Shape.Triangles << ',' << row.Seconds << '\n';
+        << ',' << row.Shape.Triangles << ','
+        << (row.Crossings ? std::to_string(*row.Crossings) : "") << ',' << row.Seconds << '\n';
   }
 }
 

@@ -48,6 +48,7 @@ struct Task
   SliceSets Orthogonal; ///< for methods that use three families
   SliceSets Parallel;   ///< for methods that use the z-slices only
   double Spacing = 0.0; ///< h of the orthogonal slices
+  double NoisePercent = 0.0;
 
   const SliceSets& SlicesFor(const Baseline& method) const
   {
@@ -62,17 +63,22 @@ struct Task
  */
 Task MakeTask(const std::string& folder, const std::string& name, Comparison kind, int number);
 
+/// The task with noise of a standard deviation of PERCENT of h on all contours (AddNoise()).
+Task WithNoise(const Task& task, double percent);
+
 /// What one method made of a task.
 struct Row
 {
   std::string CaseName;
   std::string ComparisonName;
   int Number = 0;
+  double NoisePercent = 0.0;
   std::string MethodName;
   std::string Status = "ok";                 ///< or why there are no figures
   std::optional<support::Deviation> Figures; ///< in units of h
   support::Topology Shape;
-  bool IsTopologyRight = false; ///< closed manifold with the truth's components and genus
+  bool IsTopologyRight = false;          ///< closed manifold with the truth's components and genus
+  std::optional<std::int64_t> Crossings; ///< pairs of triangles that cross; only if counted
   double Seconds = 0.0;
 };
 
@@ -88,6 +94,9 @@ struct Outcome
  * or returns nothing gives a row that says so.
  */
 Outcome RunMethod(const Baseline& method, const Task& task, std::int64_t samples);
+
+/// Counts the pairs of triangles that cross, for the row of the outcome.
+void CountCrossings(Outcome& outcome);
 
 /// Aligned plain text, and at the end of each comparison the medians and counts of each method.
 void PrintTable(const std::vector<Row>& rows, std::ostream& out);

@@ -10,6 +10,8 @@
 #include "Baselines/ContourDistance.h"
 #include "Baselines/DistanceInterpolation.h"
 #include "Baselines/DistanceInterpolationThreeFamilies.h"
+#include "Baselines/MethodSummary.h"
+#include "Baselines/NoisyContours.h"
 #include "Baselines/OrthogonalSlices.h"
 #include "Baselines/PairByOverlap.h"
 #include "Baselines/ParametricMeshes.h"
@@ -517,4 +519,64 @@ TEST(ComparisonTable, NamesOfComparisonsAreReadBack)
   }
   EXPECT_THROW(ComparisonFromName("none"), std::runtime_error);
   EXPECT_THROW(ListCases("/no/such/folder"), std::runtime_error);
+}
+
+//------------------------------------------------------------------------------
+// Of one circle: points stay in their plane, at the same place they stay together, and the
+// deviation is the one asked for.
+TEST(NoisyContours, VerticesMoveWithinTheirPlaneByTheDeviation)
+{
+  SliceSets slices = CutSurface(MakeSphere(1.0), { 8, 8, 8 });
+  const SliceSets noisy = AddNoise(slices, 0.1, 7);
+  const SliceSets again = AddNoise(slices, 0.1, 7);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double sum2 = 0.0;
+    const vtkIdType count = slices.Families[axis]->GetNumberOfPoints();
+    ASSERT_GT(count, 100);
+    for (vtkIdType id = 0; id < count; ++id)
+    {
+      double from[3], to[3], same[3];
+      slices.Families[axis]->GetPoint(id, from);
+      noisy.Families[axis]->GetPoint(id, to);
+      again.Families[axis]->GetPoint(id, same);
+      EXPECT_EQ(from[axis], to[axis]);
+      EXPECT_TRUE(std::equal(to, to + 3, same));
+      sum2 += vtkMath::Distance2BetweenPoints(from, to);
+    }
+    EXPECT_NEAR(std::sqrt(sum2 / (2.0 * count)), 0.1, 0.01);
+  }
+  EXPECT_EQ(AddNoise(slices, 0.0, 7).Families[0], slices.Families[0]);
+}
+
+//------------------------------------------------------------------------------
+TEST(MethodSummary, MarkdownHasALineForEachMethodAndAColumnForEachNoise)
+{
+  std::vector<Row> rows;
+  for (const double noise : { 0.0, 5.0 })
+  {
+    for (const char* method : { "a", "b" })
+    {
+      Row row;
+      row.CaseName = "sphere";
+      row.ComparisonName = "same-planes";
+      row.MethodName = method;
+      row.NoisePercent = noise;
+      row.Figures = Deviation();
+      row.Figures->RootMeanSquare = 0.25 + noise;
+      row.IsTopologyRight = true;
+      row.Crossings = 0;
+      rows.push_back(row);
+    }
+  }
+  rows.back().Figures.reset(); // a failure is no median
+  std::ostringstream table;
+  PrintNoiseTables(rows, table);
+  EXPECT_NE(table.str().find("| 0 % | 5 % |"), std::string::npos);
+  EXPECT_NE(table.str().find("| a | 0.250 (1, 0, 1) | 5.250 (1, 0, 1) |"), std::string::npos);
+  EXPECT_NE(table.str().find("| b | 0.250 (1, 0, 1) | - (1, 0, 1) |"), std::string::npos);
+  std::ostringstream summary;
+  PrintMarkdownSummaries({ rows[0], rows[1] }, summary);
+  EXPECT_NE(
+    summary.str().find("| a | 0.250 | 0.00 | 0.0 | 0 of 1 | 1 of 1 | 0.0 |"), std::string::npos);
 }

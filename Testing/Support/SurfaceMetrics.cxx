@@ -490,15 +490,16 @@ double AngleDegrees(const Vector3& a, const Vector3& b)
 
 //------------------------------------------------------------------------------
 // Distances of all points of FROM, the largest of them.
-double LargestVertexDistance(const Mesh& from, const NearestTriangle& nearest)
+double LargestVertexDistance(const Mesh& from, const NearestTriangle& nearest, std::int64_t most)
 {
-  std::vector<double> distances(from.Points.size());
+  const std::size_t step = 1 + from.Points.size() / static_cast<std::size_t>(most);
+  std::vector<double> distances((from.Points.size() + step - 1) / step);
   vtkSMPTools::For(0, static_cast<vtkIdType>(distances.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        distances[i] = nearest.Find(from.Points[i]).Distance;
+        distances[i] = nearest.Find(from.Points[step * i]).Distance;
       }
     });
   return distances.empty() ? 0.0 : *std::max_element(distances.begin(), distances.end());
@@ -529,8 +530,8 @@ Deviation MeasureOneSide(
   result.RootMeanSquare =
     std::inner_product(distances.begin(), distances.end(), distances.begin(), 0.0) / samples;
   result.NormalDegrees = std::accumulate(angles.begin(), angles.end(), 0.0) / samples;
-  result.Hausdorff = std::max(
-    *std::max_element(distances.begin(), distances.end()), LargestVertexDistance(from, nearest));
+  result.Hausdorff = std::max(*std::max_element(distances.begin(), distances.end()),
+    LargestVertexDistance(from, nearest, 10 * samples));
   return result;
 }
 

@@ -8,7 +8,8 @@
  * area (stratified sampling), and measured exactly to the nearest triangle of the other one. Mean
  * and normal deviation are averages of the two directions, the RMS distance is the root of the
  * averaged squares, and the Hausdorff distance is the larger of the two maxima over samples and
- * vertices (a lower bound of the true one, as for every sampled measurement). The same idea is
+ * vertices, of which every one counts up to ten times the number of samples (a lower bound of the
+ * true one, as for every sampled measurement). The same idea is
  * described in P. Cignoni, C. Rocchini, R. Scopigno, "Metro: measuring error on simplified
  * surfaces", Computer Graphics Forum 17(2), 1998.
  *
