@@ -186,6 +186,59 @@ bool CertainlyApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>&
   return true;
 }
 
+bool HasNoArea(const std::array<Point3, 3>& triangle)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto p = Project(triangle, axis);
+    if (SideOf(p[0], p[1], p[2]) != 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+namespace
+{
+/// Whether triangles with a common edge certainly do not lie on each other.
+bool CertainlyUnfolded(const Point3& p, const Point3& q, const Point3& s, const Point3& t)
+{
+  if (CertainSide(p, q, s, t) != 0)
+  {
+    return true;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto x = Project(std::array<Point3, 4>{ p, q, s, t }, axis);
+    if (SideOf(x[0], x[1], x[2]) * SideOf(x[0], x[1], x[3]) < 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+bool CertainlyApartBeyond(const std::vector<int>& common, const std::array<Point3, 3>& s,
+  const std::vector<int>& commonOfOther, const std::array<Point3, 3>& t)
+{
+  if (common.size() == 1)
+  {
+    // Triangles that meet beyond a common corner have an opposite edge that meets the other.
+    const int i = common[0];
+    const int j = commonOfOther[0];
+    return CertainlyMisses(s[(i + 1) % 3], s[(i + 2) % 3], t) &&
+      CertainlyMisses(t[(j + 1) % 3], t[(j + 2) % 3], s);
+  }
+  if (common.size() == 2)
+  {
+    return CertainlyUnfolded(s[common[0]], s[common[1]], s[3 - common[0] - common[1]],
+      t[3 - commonOfOther[0] - commonOfOther[1]]);
+  }
+  return false;
+}
+
 bool AreSimple(std::vector<PolylineSegment>& segments)
 {
   const auto low = [](const PolylineSegment& s, int i) { return std::min(s.Start[i], s.End[i]); };

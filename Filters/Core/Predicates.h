@@ -44,6 +44,13 @@ int CertainSide(const Point3& a, const Point3& b, const Point3& c, const Point3&
 /// Whether two closed triangles certainly have no point in common.
 bool CertainlyApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t);
 
+/// The same for two triangles that have the given corners of s in common, beyond these corners.
+bool CertainlyApartBeyond(const std::vector<int>& common, const std::array<Point3, 3>& s,
+  const std::vector<int>& commonOfOther, const std::array<Point3, 3>& t);
+
+/// Whether the corners of a triangle lie on one line in every projection.
+bool HasNoArea(const std::array<Point3, 3>& triangle);
+
 /// A segment of a polyline: Place counts the segments along it.
 struct PolylineSegment
 {

@@ -486,13 +486,26 @@ struct ShellTriangle
   std::array<Index, 3> Ids;
 };
 
-bool ShareCorner(const ShellTriangle& a, const ShellTriangle& b)
+/// Whether two triangles certainly meet in their common corners only.
+bool AreCompatible(const ShellTriangle& a, const ShellTriangle& b)
 {
-  return std::any_of(a.Ids.begin(), a.Ids.end(),
-    [&](Index id) { return std::find(b.Ids.begin(), b.Ids.end(), id) != b.Ids.end(); });
+  std::vector<int> commonOfA, commonOfB;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      if (a.Ids[i] == b.Ids[j])
+      {
+        commonOfA.push_back(i);
+        commonOfB.push_back(j);
+      }
+    }
+  }
+  return commonOfA.empty() ? CertainlyApart(a.Corners, b.Corners)
+                           : CertainlyApartBeyond(commonOfA, a.Corners, commonOfB, b.Corners);
 }
 
-/// Whether rounding has left all triangles without a common corner apart.
+/// Whether rounding has left all triangles with an area, and apart but for common corners.
 bool CellShells::AreCertainlyApart(const std::vector<ShellPatch>& shells) const
 {
   std::vector<ShellTriangle> triangles;
@@ -527,9 +540,13 @@ bool CellShells::AreCertainlyApart(const std::vector<ShellPatch>& shells) const
     [&](const ShellTriangle& a, const ShellTriangle& b) { return low(a) < low(b); });
   for (auto a = triangles.begin(); a != triangles.end(); ++a)
   {
+    if (HasNoArea(a->Corners))
+    {
+      return false;
+    }
     for (auto b = a + 1; b != triangles.end() && low(*b) <= high(*a); ++b)
     {
-      if (!ShareCorner(*a, *b) && !CertainlyApart(a->Corners, b->Corners))
+      if (!AreCompatible(*a, *b))
       {
         return false;
       }
