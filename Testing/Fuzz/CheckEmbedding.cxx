@@ -260,13 +260,26 @@ private:
   {
     return { this->Mesh.Points[ids[0]], this->Mesh.Points[ids[1]], this->Mesh.Points[ids[2]] };
   }
-  std::vector<Box> SortedBoxes() const;
+  int LongestAxis() const;
+  std::vector<Box> SortedBoxes(int axis) const;
   bool Meet(std::int64_t a, std::int64_t b) const;
 
   const TriangleMesh& Mesh;
 };
 
-std::vector<MeetingFinder::Box> MeetingFinder::SortedBoxes() const
+int MeetingFinder::LongestAxis() const
+{
+  Point3 length{ 0.0, 0.0, 0.0 };
+  for (int axis = 0; axis < 3 && !this->Mesh.Points.empty(); ++axis)
+  {
+    const auto ends = std::minmax_element(this->Mesh.Points.begin(), this->Mesh.Points.end(),
+      [axis](const Point3& a, const Point3& b) { return a[axis] < b[axis]; });
+    length[axis] = (*ends.second)[axis] - (*ends.first)[axis];
+  }
+  return static_cast<int>(std::max_element(length.begin(), length.end()) - length.begin());
+}
+
+std::vector<MeetingFinder::Box> MeetingFinder::SortedBoxes(int axis) const
 {
   std::vector<Box> boxes;
   for (std::size_t t = 0; t < this->Mesh.Triangles.size(); ++t)
@@ -283,7 +296,8 @@ std::vector<MeetingFinder::Box> MeetingFinder::SortedBoxes() const
     }
     boxes.push_back(box);
   }
-  std::sort(boxes.begin(), boxes.end(), [](const Box& a, const Box& b) { return a.Low < b.Low; });
+  std::sort(boxes.begin(), boxes.end(),
+    [axis](const Box& a, const Box& b) { return a.Low[axis] < b.Low[axis]; });
   return boxes;
 }
 
@@ -330,15 +344,16 @@ std::vector<Meeting> MeetingFinder::Find(std::size_t most)
       found.push_back({ id, id });
     }
   }
-  const std::vector<Box> boxes = this->SortedBoxes();
+  const int axis = this->LongestAxis();
+  const std::vector<Box> boxes = this->SortedBoxes(axis);
   for (std::size_t i = 0; i < boxes.size(); ++i)
   {
     const Box& a = boxes[i];
-    for (std::size_t j = i + 1; j < boxes.size() && boxes[j].Low[0] <= a.High[0]; ++j)
+    for (std::size_t j = i + 1; j < boxes.size() && boxes[j].Low[axis] <= a.High[axis]; ++j)
     {
       const Box& b = boxes[j];
-      const bool overlap = a.Low[1] <= b.High[1] && b.Low[1] <= a.High[1] &&
-        a.Low[2] <= b.High[2] && b.Low[2] <= a.High[2];
+      const auto apart = [&](int n) { return a.Low[n] > b.High[n] || b.Low[n] > a.High[n]; };
+      const bool overlap = !apart((axis + 1) % 3) && !apart((axis + 2) % 3);
       if (overlap && !flat[a.Triangle] && !flat[b.Triangle] && this->Meet(a.Triangle, b.Triangle))
       {
         found.push_back({ a.Triangle, b.Triangle });

@@ -418,7 +418,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string flaws = DescribeFlaws(mesh);
   if (!flaws.empty())
   {
-    const PieceSets reduced = Reduce(sets, options);
+    const PieceSets reduced = Reduce(sets, options, 300);
     std::cerr << Describe(sets, options) << flaws << "Reduced:\n"
               << Describe(reduced, options) << FindFlaws(reduced, options);
     std::abort();

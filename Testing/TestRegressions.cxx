@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   every input that once gave a wrong surface, as small as it still did
+ *
+ * Found by FuzzReconstruct and RandomSolids and reduced by them.
+ */
+
+#include "Fuzz/CheckEmbedding.h"
+#include "Fuzz/ReduceInput.h"
+
+#include <gtest/gtest.h>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+Options AsDrawn()
+{
+  Options options;
+  options.RefuseInvalid = false;
+  options.Orient = Orientation::AsDrawn;
+  return options;
+}
+
+Options ByNesting()
+{
+  Options options;
+  options.RefuseInvalid = false;
+  return options;
+}
+
+/// In double and, rounded, in float.
+void ExpectNoFlaws(const std::string& text, Options options)
+{
+  PieceSets sets = ParsePieces(text);
+  EXPECT_EQ(FindFlaws(sets, options), "");
+  for (Pieces& pieces : sets)
+  {
+    for (std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
+    {
+      for (double& x : *values)
+      {
+        x = static_cast<float>(x);
+      }
+    }
+  }
+  options.SinglePrecision = true;
+  EXPECT_EQ(FindFlaws(sets, options), "");
+}
+}
+
+//----------------------------------------------------------------------------
+// Arcs of one face that are apart, but by less than the rounding of their copies in the shells.
+
+TEST(Regression, VertexBesideAnotherArcByLessThanTheRoundingOfShells)
+{
+  ExpectNoFlaws("x=0: -4,-4 4,-4 -4,-3.9999992847442627 4,4 -4,4\n"
+                "y=0: -4,4 -4,-4 4,-4\n"
+                "z=0: -4,-4 4,4 -4,4\n"
+                "z=-2.6645352591003757e-15: -4,-4 4,-4.0000000000000027 4,4",
+    AsDrawn());
+}
+
+//----------------------------------------------------------------------------
+TEST(Regression, ArcThatRunsAlongAGridLinePastAnotherNode)
+{
+  ExpectNoFlaws(
+    "x=-0.31122222542762756: 0,0.12000000000000002 0.30000000000000004,0.15000000000000002 1,0\n"
+    "y=0.11316666752099991: 0.11541666835546494,-0.13470007479190826 "
+    "0.20000000000000001,-0.30000000000000004 -0.30000000000000004,-1\n"
+    "z=0.11541666835546494: 0,1 -0.13470007479190826,0.11316666752099991 -0.40000000000000002,0",
+    AsDrawn());
+}
+
+//----------------------------------------------------------------------------
+TEST(Regression, VerticesOneStepApartInAShell)
+{
+  Options options = AsDrawn();
+  options.Crossing = CrossingContours::LeaveOut;
+  ExpectNoFlaws("x=5: 3,5 3,7 0,7\n"
+                "x=7: 3,5 3,7 0,7\n"
+                "y=2: 5,5 7,5 7,8 5,8\n"
+                "y=1: 7,4 7,6 5,6\n"
+                "y=2: 5,4 7,4 7,6 5,6\n"
+                "z=7: 4,1 6.0000000000000009,1 6,1 6,6",
+    options);
+}
+
+//----------------------------------------------------------------------------
+TEST(Regression, SpikeThatMissesItselfByOneStep)
+{
+  ExpectNoFlaws("x=0: -9,-9 9,-9 -9,9\n"
+                "x=0: -2,-2 2,-2 -2,2\n"
+                "x=0: -6,-6 6,-6 -6,6\n"
+                "x=0: -8,-8 8,-8 8,8 -8,8\n"
+                "y=0: -9,-9 9,-9 9,9 -9,9\n"
+                "y=0: -2,-2 2,-2 2,2 -2,1 -2,2\n"
+                "y=0: -4,-4 4,1 -4,4\n"
+                "y=0: -6,-6 6,-6 6,6 -6,6\n"
+                "y=0: -8,-8 8,-8 8,8 -8,8\n"
+                "z=0: -8,-8 8,-8 8,8 -8,8",
+    ByNesting());
+}
