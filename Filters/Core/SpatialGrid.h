@@ -57,7 +57,16 @@ struct SpatialGrid
   }
 
   /// A coordinate as it will be in the result.
-  double Round(double x) const { return this->SinglePrecision ? static_cast<float>(x) : x; }
+  double Round(double x) const
+  {
+    if (!this->SinglePrecision)
+    {
+      return x;
+    }
+    // Volatile, because GCC 12 at -O3 vectorizes the conversion to float and back away.
+    volatile float rounded = static_cast<float>(x);
+    return rounded;
+  }
 
   /// Distance that points inside a cell or on one of its edges keep from the ends of the slab.
   double Margin(int axis, Index slab) const;
