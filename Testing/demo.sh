@@ -4,8 +4,9 @@
 #
 # bash Testing/demo.sh [case [slices]]
 # Builds the plugin, reconstructs a data set of Data/ in ParaView (default: heart n32) and leaves in
-# build/demo the surface, the table of figures of merit and a picture. Made for a bare Debian 12:
-# installs what is missing.
+# build/demo the surface, the table of figures of merit and a picture; then, with one slice moved as
+# if the patient had, the picture and the table that show which slice it was. Made for a bare Debian
+# 12: installs what is missing.
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -30,11 +31,20 @@ if [ -e Testing/Baselines/CompareMethods.cxx ]; then
 fi
 ninja -C "$folder" -j "$(nproc)" "${targets[@]}"
 
+plugin=$(find "$folder/lib" -name OrthogonalSlices.so)
+contours=("Data/$case/${slices}_x.vtp" "Data/$case/${slices}_y.vtp" "Data/$case/${slices}_z.vtp")
+run_in_paraview()
+{
+  xvfb-run -a -s "-noreset -screen 0 1600x1200x24" pvpython "$@"
+}
+
 echo "-- Reconstructing $case from Data/$case/${slices}_{x,y,z}.vtp"
-xvfb-run -a -s "-noreset -screen 0 1600x1200x24" pvpython Plugin/Examples/ReconstructFiles.py \
-  "Data/$case/${slices}_x.vtp" "Data/$case/${slices}_y.vtp" "Data/$case/${slices}_z.vtp" \
-  "$out/$case.vtp" "$out/$case.png" \
-  "$(find "$folder/lib" -name OrthogonalSlices.so)"
+run_in_paraview Plugin/Examples/ReconstructFiles.py "${contours[@]}" \
+  "$out/$case.vtp" "$out/$case.png" "$plugin"
+
+echo "-- Moving one slice and finding it again"
+run_in_paraview Plugin/Examples/InspectDisagreement.py "${contours[@]}" "$out/disagreement.png" \
+  --plugin "$plugin" --shift y 15 0.012 0.008 | tee "$out/disagreement.txt"
 
 if [ -x "$folder/bin/CompareMethods" ]; then
   echo "-- Comparing with other methods (lengths in slice spacings)"

@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reconstruct a surface from three files of contours, save it and a picture of it:
+r"""Reconstruct a surface from three files of contours, save it and a picture of it:
 
-    pvpython ReconstructFiles.py x.vtp y.vtp z.vtp surface.vtp picture.png [OrthogonalSlices.so]
+    pvpython ReconstructFiles.py x.vtp y.vtp z.vtp surface.vtp picture.png \
+        [OrthogonalSlices.so [width]]
 
 The files hold contours on planes of constant x, y and z. The picture shows the contours on the left
-and the surface on the right. Without the path of the plugin, the folder in which it lies has to be
-in PV_PLUGIN_PATH. ParaView needs a display; without one, put xvfb-run -a -s -noreset in front.
+and the surface on the right; it is 1600 pixels wide, or as wide as is said. Without the path of the
+plugin, the folder in which it lies has to be in PV_PLUGIN_PATH. ParaView needs a display; without
+one, put xvfb-run -a -s -noreset in front.
 """
 
 import sys
@@ -59,7 +61,12 @@ def show(source, view, color, **properties):
         setattr(display, name, value)
 
 
-def save_picture(readers, surface, picture):
+def save_screenshot(picture, layout, size):
+    options = {"CompressionLevel": "9"} if picture.endswith(".png") else {}
+    simple.SaveScreenshot(picture, layout, ImageResolution=size, **options)
+
+
+def save_picture(readers, surface, picture, size):
     """Both views look from the same place: obliquely, with z upwards."""
     contours, result = make_view(), make_view()
     for reader, color in zip(readers, AXES):
@@ -76,22 +83,22 @@ def save_picture(readers, surface, picture):
     layout.AssignView(0, contours)
     layout.SplitHorizontal(0, 0.5)
     layout.AssignView(2, result)
-    layout.SetSize(1600, 800)
+    layout.SetSize(*size)
     for view in (contours, result):
         simple.ResetCamera(view)
-        view.GetActiveCamera().Zoom(1.5)
-    simple.SaveScreenshot(picture, layout, ImageResolution=[1600, 800])
+        view.GetActiveCamera().Zoom(1.4)
+    save_screenshot(picture, layout, size)
 
 
-def main(x, y, z, surface_file, picture, plugin=None):
+def main(x, y, z, surface_file, picture, plugin=None, width=1600):
     load_plugin(plugin)
     readers, surface = reconstruct((x, y, z))
     report(surface)
     simple.SaveData(surface_file, proxy=simple.OutputPort(surface, 0))
-    save_picture(readers, surface, picture)
+    save_picture(readers, surface, picture, [int(width), int(width) // 2])
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (6, 7):
+    if len(sys.argv) not in (6, 7, 8):
         sys.exit(__doc__)
     main(*sys.argv[1:])

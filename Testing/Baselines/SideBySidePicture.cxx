@@ -11,6 +11,7 @@
 #include "vtkCamera.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
+#include "vtkPointData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPolyDataNormals.h"
 #include "vtkProperty.h"
@@ -41,19 +42,31 @@ void SideBySidePicture::Add(const std::string& title, vtkPolyData* surface)
 namespace
 {
 
-constexpr int PanelWidth = 480;
-constexpr int PanelHeight = 560;
+constexpr int PanelWidth = 280;
+constexpr int PanelHeight = 330;
+
+//------------------------------------------------------------------------------
+// The normals of the surface, or else the means of those of the triangles.
+vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* surface)
+{
+  if (surface->GetPointData()->GetNormals())
+  {
+    return surface;
+  }
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
 
 //------------------------------------------------------------------------------
 // Smooth lighting; the inside, which shows at holes, is red.
 vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface)
 {
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(surface);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
   vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(normals->GetOutputPort());
+  mapper->SetInputData(WithNormals(surface));
   mapper->ScalarVisibilityOff();
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
@@ -71,9 +84,9 @@ vtkSmartPointer<vtkTextActor> MakeTitle(const std::string& text)
 {
   auto title = vtkSmartPointer<vtkTextActor>::New();
   title->SetInput(text.c_str());
-  title->SetPosition(PanelWidth / 2, 16);
+  title->SetPosition(PanelWidth / 2, 10);
   title->GetTextProperty()->SetColor(0.1, 0.1, 0.1);
-  title->GetTextProperty()->SetFontSize(24);
+  title->GetTextProperty()->SetFontSize(16);
   title->GetTextProperty()->SetJustificationToCentered();
   return title;
 }
@@ -108,7 +121,7 @@ void SideBySidePicture::Write(const std::string& file) const
   const double width = 1.0 / static_cast<double>(this->Panels.size());
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
-  window->SetMultiSamples(4);
+  window->SetMultiSamples(8);
   window->SetSize(PanelWidth * static_cast<int>(this->Panels.size()), PanelHeight);
   for (std::size_t i = 0; i < this->Panels.size(); ++i)
   {
@@ -128,6 +141,7 @@ void SideBySidePicture::Write(const std::string& file) const
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(image->GetOutputPort());
   writer->SetFileName(file.c_str());
+  writer->SetCompressionLevel(9);
   writer->Write();
   if (writer->GetErrorCode() != 0)
   {

@@ -1,0 +1,36 @@
+#!/bin/bash
+# SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# bash Plugin/Examples/make-pictures.sh [folder [build]]
+# Makes the pictures of the README again (default: Data/pictures) with the plugin and the program
+# CompareMethods of a build folder (default: build/paraview, which Testing/demo.sh makes):
+#   reconstruction.png  the contours of a heart, and the surface from them
+#   comparison.png      the same slices given to other methods
+#   disagreement.png    one slice was moved: where, how much, and which one it is
+
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+pictures=${1:-Data/pictures}
+build=${2:-build/paraview}
+plugin=$(find "$build/lib" -name OrthogonalSlices.so | head -n 1)
+surface=$(mktemp -d)/heart.vtp
+trap 'rm -rf "$(dirname "$surface")"' EXIT
+
+# A display of the size of the pictures, for programs that draw.
+draw()
+{
+  xvfb-run -a -s "-noreset -screen 0 1920x1200x24" "$@"
+}
+
+mkdir -p "$pictures"
+echo "-- $pictures/reconstruction.png"
+draw pvpython Plugin/Examples/ReconstructFiles.py Data/heart/n16_{x,y,z}.vtp \
+  "$surface" "$pictures/reconstruction.png" "$plugin" 880
+echo "-- $pictures/comparison.png"
+draw "$build/bin/CompareMethods" --data Data --cases knot --slices 16 --samples 10000 \
+  --methods orthogonal,ruled-walk,volume-z --picture "$pictures/comparison.png"
+echo "-- $pictures/disagreement.png"
+draw pvpython Plugin/Examples/InspectDisagreement.py Data/heart/n32_{x,y,z}.vtp \
+  "$pictures/disagreement.png" --plugin "$plugin" --shift y 15 0.012 0.008
+ls -l "$pictures"
