@@ -23,7 +23,10 @@ void AddExactly(double x, std::array<double, 12>& sum, int& count)
     }
     x = total;
   }
-  sum[kept++] = x;
+  if (x != 0.0) // the last number of the sum tells its sign
+  {
+    sum[kept++] = x;
+  }
   count = kept;
 }
 }
@@ -41,7 +44,7 @@ int ExactSideOf(const Point2& p, const Point2& q, const Point2& r)
     AddExactly(std::fma(factor[0], factor[1], -product), sum, count);
     AddExactly(product, sum, count);
   }
-  const double largest = sum[count - 1];
+  const double largest = count > 0 ? sum[count - 1] : 0.0;
   return largest > 0.0 ? 1 : largest < 0.0 ? -1 : 0;
 }
 

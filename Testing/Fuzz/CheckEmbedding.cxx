@@ -167,6 +167,8 @@ bool IsBetween(const Point3& a, const Point3& b, const Point3& c, int axis)
   return between((axis + 1) % 3) && between((axis + 2) % 3);
 }
 
+}
+
 bool SegmentsMeet(const Point3& a, const Point3& b, const Point3& c, const Point3& d, int axis)
 {
   const int abc = ExactTurn(a, b, c, axis), abd = ExactTurn(a, b, d, axis);
@@ -179,6 +181,8 @@ bool SegmentsMeet(const Point3& a, const Point3& b, const Point3& c, const Point
     (cda == 0 && IsBetween(c, d, a, axis)) || (cdb == 0 && IsBetween(c, d, b, axis));
 }
 
+namespace
+{
 /// Segment and triangle in one plane.
 bool MeetInPlane(const Point3& p, const Point3& q, const Corners& t)
 {

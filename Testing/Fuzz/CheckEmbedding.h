@@ -44,6 +44,9 @@ int ExactOrientation(const Point3& a, const Point3& b, const Point3& c, const Po
 /// Sign of the area of abc, seen along the axis, exactly.
 int ExactTurn(const Point3& a, const Point3& b, const Point3& c, int axis);
 
+/// Whether the closed segments ab and cd have a point in common, seen along the axis, exactly.
+bool SegmentsMeet(const Point3& a, const Point3& b, const Point3& c, const Point3& d, int axis);
+
 } // namespace support
 } // namespace orthoslices
 

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/SeparatePatches.h"
+
+#include "Core/Predicates.h"
+#include "Core/Reconstruct.h"
+#include "Fuzz/CheckEmbedding.h"
+#include "Support/Random.h"
+#include "Support/RandomInput.h"
+#include "Support/Stages.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+double TwiceArea(const Point2& a, const Point2& b, const Point2& c)
+{
+  return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+}
+
+/// n - 2 triangles, all counter-clockwise, which together have the polygon's area.
+void ExpectTriangulated(const std::vector<Point2>& polygon)
+{
+  const auto triangles = TriangulatePolygon(polygon);
+  EXPECT_EQ(triangles.size(), polygon.size() - 2);
+  double area = 0.0, expected = 0.0;
+  std::set<Index> used;
+  for (const auto& t : triangles)
+  {
+    EXPECT_GT(SideOf(polygon[t[0]], polygon[t[1]], polygon[t[2]]), 0);
+    area += TwiceArea(polygon[t[0]], polygon[t[1]], polygon[t[2]]);
+    used.insert(t.begin(), t.end());
+  }
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+  {
+    expected += TwiceArea(polygon[0], polygon[i], polygon[i + 1]);
+  }
+  EXPECT_NEAR(area, expected, 1e-9 * std::abs(expected));
+  EXPECT_EQ(used.size(), polygon.size());
+}
+}
+
+//----------------------------------------------------------------------------
+TEST(TriangulatePolygon, ConvexAndNotConvex)
+{
+  ExpectTriangulated({ { 0, 0 }, { 1, 0 }, { 0, 1 } });
+  ExpectTriangulated({ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } });
+  ExpectTriangulated({ { 0, 0 }, { 4, 0 }, { 1, 1 }, { 0, 4 } });
+  // A U, a comb and a spiral.
+  ExpectTriangulated(
+    { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } });
+  std::vector<Point2> comb{ { 20, -1 } };
+  for (int i = 20; i >= 0; --i)
+  {
+    comb.push_back({ static_cast<double>(i), i % 2 == 0 ? 5.0 : 0.0 });
+  }
+  comb.push_back({ 0, -1 });
+  ExpectTriangulated(comb);
+  ExpectTriangulated({ { 0, 0 }, { 9, 0 }, { 9, 9 }, { 2, 9 }, { 2, 3 }, { 5, 3 }, { 5, 6 },
+    { 4, 6 }, { 4, 4 }, { 3, 4 }, { 3, 8 }, { 8, 8 }, { 8, 1 }, { 1, 1 }, { 1, 9 }, { 0, 9 } });
+}
+
+//----------------------------------------------------------------------------
+TEST(TriangulatePolygon, VerticesOnOneLine)
+{
+  ExpectTriangulated({ { 0, 0 }, { 1, 0 }, { 2, 0 }, { 3, 0 }, { 3, 1 }, { 3, 2 }, { 1, 2 } });
+  ExpectTriangulated(
+    { { 0, 0 }, { 2, 0 }, { 4, 0 }, { 4, 2 }, { 4, 4 }, { 2, 4 }, { 0, 4 }, { 0, 2 } });
+}
+
+//----------------------------------------------------------------------------
+TEST(TriangulatePolygon, RandomStars)
+{
+  Random random(1);
+  for (int run = 0; run < 300; ++run)
+  {
+    const std::size_t count = 3 + random.Below(40);
+    std::vector<Point2> star;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double angle = 2.0 * 3.14159265358979323846 * (i + 0.5) / count;
+      const double radius = random.Uniform(0.1, 1.0);
+      star.push_back({ radius * std::cos(angle), radius * std::sin(angle) });
+    }
+    ExpectTriangulated(star);
+  }
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+Reconstruction RunCore(const std::string& text)
+{
+  Options options;
+  options.Orient = Orientation::AsDrawn;
+  return Reconstruct(ParsePieces(text), options, Execution());
+}
+
+/// The open sides of a shell are the border of its polygon, and the shell is a disc.
+void ExpectDisc(const Reconstruction& result, const ShellPatch& shell)
+{
+  std::vector<Index> border, places;
+  GetBoundary(
+    result.Graph, result.Lattice, result.Nodes, result.Polygons, shell.Cycle, border, places);
+  std::map<std::pair<Index, Index>, int> sides;
+  std::set<Index> corners;
+  for (const auto& t : shell.Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      ++sides[{ t[i], t[(i + 1) % 3] }];
+      corners.insert(t[i]);
+    }
+  }
+  const auto size = static_cast<Index>(border.size());
+  std::size_t open = 0;
+  for (const auto& side : sides)
+  {
+    EXPECT_EQ(side.second, 1);
+    if (sides.count({ side.first.second, side.first.first }) == 0)
+    {
+      EXPECT_GE(side.first.first, 0);
+      EXPECT_EQ(side.first.second, (side.first.first + 1) % size);
+      ++open;
+    }
+  }
+  EXPECT_EQ(open, border.size());
+  const std::size_t edges = (sides.size() + open) / 2;
+  EXPECT_EQ(corners.size() + shell.Triangles.size(), edges + 1);
+  EXPECT_EQ(corners.size(), border.size() + shell.Points.size());
+}
+
+/// The points of a shell lie strictly inside the cell.
+void ExpectInside(const Reconstruction& result, const ShellPatch& shell)
+{
+  for (const Point3& p : shell.Points)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_TRUE(result.Grid.IsInside(axis, result.Polygons.Cell[shell.Cycle][axis], p[axis]));
+    }
+  }
+}
+
+void ExpectSoundShells(const Reconstruction& result)
+{
+  for (std::size_t i = 0; i < result.Surface.Shells.size(); ++i)
+  {
+    const ShellPatch& shell = result.Surface.Shells[i];
+    EXPECT_TRUE(i == 0 || result.Surface.Shells[i - 1].Cycle < shell.Cycle);
+    ExpectDisc(result, shell);
+    ExpectInside(result, shell);
+  }
+}
+}
+
+//----------------------------------------------------------------------------
+TEST(SeparatePatches, LeavesFansThatAreApart)
+{
+  EXPECT_TRUE(RunCore(Octahedron()).Surface.Shells.empty());
+  EXPECT_TRUE(RunCore(Cube()).Surface.Shells.empty());
+}
+
+//----------------------------------------------------------------------------
+TEST(SeparatePatches, MakesShellsOfFansThatCross)
+{
+  // Inner and outer boundary swap their places within each face, without touching.
+  const char* inner = "0,-2 2,0 0,2 -2,0";
+  const char* outer = "0,-2.2 5,-5 2.2,0 5,5 0,2.2 -5,5 -2.2,0 -5,-5";
+  std::string text;
+  for (const char* plane : { "x=0: ", "y=0: ", "z=0: " })
+  {
+    text += std::string(plane) + inner + "\n" + plane + outer + "\n";
+  }
+  text += "x=0: 0,-1.9 -0.1,-0.1 -1.9,0 -0.1,0.1 0,1.9 0.1,0.1 1.9,0 0.1,-0.1\n";
+  const Reconstruction result = RunCore(text);
+  ExpectSoundShells(result);
+  EXPECT_EQ(DescribeFlaws(MeshOf(result)), "");
+}
+
+//----------------------------------------------------------------------------
+TEST(SeparatePatches, ShellsAreDiscsInsideTheirCells)
+{
+  std::size_t shells = 0;
+  for (std::uint64_t seed = FirstSeed(); seed < FirstSeed() + RandomRuns(80); ++seed)
+  {
+    const Input input = RandomContradictoryInput(seed);
+    SCOPED_TRACE(input.Name);
+    const Reconstruction result = Reconstruct(PieceSets(input.Sets), input.Settings, Execution());
+    ExpectSoundShells(result);
+    shells += result.Surface.Shells.size();
+  }
+  EXPECT_GT(shells, 100u);
+}
