@@ -8,6 +8,9 @@
 
 #include "Support/CheckSurface.h"
 
+#include "vtkNew.h"
+#include "vtkTriangleFilter.h"
+
 #include <algorithm>
 #include <chrono>
 #include <exception>
@@ -242,10 +245,16 @@ Outcome RunMethod(const Baseline& method, const Task& task, std::int64_t samples
 //------------------------------------------------------------------------------
 void CountCrossings(Outcome& outcome)
 {
-  if (outcome.Figures.Figures)
+  if (!outcome.Figures.Figures)
   {
-    outcome.Figures.Crossings = support::CountCrossings(support::MeshOf(outcome.Surface));
+    return;
   }
+  vtkNew<vtkTriangleFilter> triangles; // ruled surfaces are strips
+  triangles->SetInputData(outcome.Surface);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  outcome.Figures.Crossings = support::CountCrossings(support::MeshOf(triangles->GetOutput()));
 }
 
 //------------------------------------------------------------------------------
