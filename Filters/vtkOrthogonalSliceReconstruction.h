@@ -29,9 +29,10 @@
  * the left of the contour (outer boundaries run counter-clockwise).
  *
  * @section Outputs Outputs
- * Port 0, the surface (vtkPolyData): triangles, oriented outwards. Every vertex of every contour
- * that meets another family is a vertex of the surface. Points: first the node points, then the
- * vertices of the arcs, last the central points.
+ * Port 0, the surface (vtkPolyData): triangles, oriented outwards. Where the slices agree, every
+ * vertex of every contour that meets another family is a vertex of the surface. Points: first the
+ * node points, then the vertices of the arcs, then the central points, last the other points of
+ * patches that had to be separated.
  *  - point data "Normals" (float, 3 components; active normals), if ComputeNormals is on;
  *  - cell data "ComponentId" (int): connected component, numbered from 0;
  *  - cell data "GridCell" (unsigned short, 3 components): the cell of M along x, y, z, where cell
