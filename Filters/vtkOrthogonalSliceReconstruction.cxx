@@ -14,6 +14,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -190,11 +191,13 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   {
     return 1;
   }
-  const double least = *std::min_element(this->AxisWeights, this->AxisWeights + 3);
-  if (!(least >= 0.0))
+  for (const double weight : this->AxisWeights)
   {
-    vtkErrorMacro("AxisWeights has " << least << "; weights must not be negative.");
-    return 0;
+    if (!(weight >= 0.0 && std::isfinite(weight)))
+    {
+      vtkErrorMacro("AxisWeights has " << weight << "; weights must be finite and not negative.");
+      return 0;
+    }
   }
   bool doublePrecision = this->OutputPointsPrecision == DOUBLE_PRECISION;
   for (int port = 0; port < 3; ++port)

@@ -197,7 +197,8 @@ public:
   /**
    * Trust in the x-, y- and z-slices where they contradict each other: a node point is the
    * weighted mean of its two contours, and the heavier side decides whether a grid vertex is
-   * inside. Default 1, 1, 1; not negative; all zero counts as all one.
+   * inside. Default 1, 1, 1; all zero counts as all one. Negative weights and weights that are not
+   * finite are an error.
    */
   vtkSetVector3Macro(AxisWeights, double);
   vtkGetVector3Macro(AxisWeights, double);

@@ -164,6 +164,8 @@ TEST(ReconstructionFilter, EverySetterChangesTheTimeOnlyIfTheValueChanges)
     [&] { filter->SetCrossingContoursToRefuse(); },
     [&] { filter->SetCrossingContoursToLeaveOut(); },
     [&] { filter->SetCentralPointToCentroid(); },
+    [&] { filter->SetAxisWeights(1.0, 2.0, 1.0); },
+    [&] { filter->SetReportTolerance(0.01); },
     [&] { filter->ComputeNormalsOff(); },
     [&] { filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION); },
   };
@@ -187,7 +189,8 @@ TEST(ReconstructionFilter, PrintsEveryProperty)
   std::ostringstream text;
   filter->Print(text);
   for (const char* name : { "PlaneTolerance: 1e-05", "Orientation: ", "InvalidContours: LeaveOut",
-         "CrossingContours: ", "CentralPoint: ", "ComputeNormals: ", "OutputPointsPrecision: " })
+         "CrossingContours: ", "CentralPoint: ", "AxisWeights: 1 1 1", "ReportTolerance: 0.001",
+         "ComputeNormals: ", "OutputPointsPrecision: " })
   {
     EXPECT_TRUE(Contains(text.str(), name)) << name;
   }
