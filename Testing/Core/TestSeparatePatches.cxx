@@ -186,6 +186,94 @@ TEST(SeparatePatches, MakesShellsOfFansThatCross)
 }
 
 //----------------------------------------------------------------------------
+namespace
+{
+/// Stars around the vertex (u, v) of M on the plane, one within another, `rings` of them. They cross
+/// the grid lines close to each other; from one ring on, which is another one in every quadrant,
+/// they have a long spike there, so that the central points lie far apart.
+void AddNestedStars(Pieces& pieces, double plane, double u, double v, int rings, double size)
+{
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const double radius = (0.3 + 0.02 * ring) * size;
+    std::vector<std::array<double, 2>> star;
+    for (int quadrant = 0; quadrant < 4; ++quadrant)
+    {
+      const double cosine[4] = { 1, 0, -1, 0 }, sine[4] = { 0, 1, 0, -1 };
+      const int next = (quadrant + 1) % 4;
+      const bool spike = ring > (pieces.Axis + quadrant) % rings;
+      const double diagonal = (spike ? 0.8 : 0.1) * size + 0.02 * ring * size;
+      star.push_back({ u + radius * cosine[quadrant], v + radius * sine[quadrant] });
+      star.push_back({ u + diagonal * (cosine[quadrant] + cosine[next]),
+        v + diagonal * (sine[quadrant] + sine[next]) });
+    }
+    AddPiece(pieces, star, plane);
+  }
+}
+
+/// In both precisions; the number of shells in each cell that has any.
+std::map<std::array<Index, 3>, int> CountShells(const PieceSets& sets, bool single)
+{
+  Options options;
+  options.SinglePrecision = single;
+  const Reconstruction result = Reconstruct(PieceSets(sets), options, Execution());
+  ExpectSoundShells(result);
+  EXPECT_EQ(DescribeFlaws(MeshOf(result)), "");
+  EXPECT_EQ(result.Reconciled.Vertices + result.Reconciled.Edges, 0);
+  std::map<std::array<Index, 3>, int> count;
+  for (const ShellPatch& shell : result.Surface.Shells)
+  {
+    ++count[result.Polygons.Cell[shell.Cycle]];
+  }
+  return count;
+}
+}
+
+/// Cycles around one vertex of a cell lie within each other.
+TEST(SeparatePatches, ManyNestedShellsInOneCell)
+{
+  for (const int rings : { 3, 5, 8 })
+  {
+    SCOPED_TRACE(rings);
+    PieceSets sets = EmptySets();
+    for (Pieces& pieces : sets)
+    {
+      AddNestedStars(pieces, 0.0, 0.0, 0.0, rings, 1.0);
+    }
+    for (const bool single : { false, true })
+    {
+      const auto count = CountShells(sets, single);
+      EXPECT_EQ(count.size(), 8u);
+      for (const auto& cell : count)
+      {
+        EXPECT_EQ(cell.second, rings);
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Groups of nested cycles beside each other, at all corners of the cell in the middle.
+TEST(SeparatePatches, NestedShellsAtEveryCornerOfACell)
+{
+  const int rings = 3;
+  PieceSets sets = EmptySets();
+  for (Pieces& pieces : sets)
+  {
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      AddNestedStars(
+        pieces, corner & 1 ? 1.0 : 0.0, corner & 2 ? 1.0 : 0.0, corner & 4 ? 1.0 : 0.0, rings, 0.5);
+    }
+  }
+  for (const bool single : { false, true })
+  {
+    const auto count = CountShells(sets, single);
+    EXPECT_EQ(count.at({ 1, 1, 1 }), 8 * rings);
+  }
+}
+
+//----------------------------------------------------------------------------
 TEST(SeparatePatches, ShellsAreDiscsInsideTheirCells)
 {
   std::size_t shells = 0;
