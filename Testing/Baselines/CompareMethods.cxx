@@ -51,6 +51,7 @@ const char* const Usage =
   --sweep             figures of the volume methods against their resolution instead
   --list              print the methods and the cases
 Lengths are in units of h, the geometric mean of the three slice spacings; normals in degrees.
+Every method runs in a process of its own, with one thread; one that crashes is a row that says so.
 )";
 
 //------------------------------------------------------------------------------

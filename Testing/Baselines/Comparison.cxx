@@ -5,6 +5,7 @@
 #include "CaseFolder.h"
 #include "MethodSummary.h"
 #include "NoisyContours.h"
+#include "RunApart.h"
 
 #include "Support/CheckSurface.h"
 
@@ -12,7 +13,6 @@
 #include "vtkTriangleFilter.h"
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <iomanip>
 #include <iterator>
@@ -227,13 +227,16 @@ Outcome RunMethod(const Baseline& method, const Task& task, std::int64_t samples
   row.Number = task.Number;
   row.NoisePercent = task.NoisePercent;
   row.MethodName = method.Name();
-  const auto start = std::chrono::steady_clock::now();
   try
   {
-    outcome.Surface = method.Reconstruct(task.SlicesFor(method));
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    row.Seconds = elapsed.count();
+    const TimedSurface result = RunApart(method, task.SlicesFor(method));
+    outcome.Surface = result.Surface;
+    row.Seconds = result.Seconds;
     Measure(task, samples, outcome);
+  }
+  catch (const Crash& crash)
+  {
+    row.Status = std::string("crashed: ") + crash.what();
   }
   catch (const std::exception& error)
   {

@@ -90,8 +90,8 @@ struct Outcome
 };
 
 /**
- * Runs METHOD and measures its surface with SAMPLES samples. A method that throws, reports errors
- * or returns nothing gives a row that says so.
+ * Runs METHOD in a process of its own (RunApart()) and measures its surface with SAMPLES samples. A
+ * method that throws, reports errors, crashes or returns nothing gives a row that says so.
  */
 Outcome RunMethod(const Baseline& method, const Task& task, std::int64_t samples);
 

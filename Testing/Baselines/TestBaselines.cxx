@@ -17,10 +17,12 @@
 #include "Baselines/ParametricMeshes.h"
 #include "Baselines/PlanarContours.h"
 #include "Baselines/RuledSurface.h"
+#include "Baselines/RunApart.h"
 #include "Support/SurfaceMetrics.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -31,6 +33,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 
@@ -487,6 +491,85 @@ TEST(ComparisonTable, FailuresAreRowsThatSaySo)
   std::ostringstream csv;
   WriteCsv({ failed, empty }, csv);
   EXPECT_NE(csv.str().find("\"failed: no, \"\"never\"\"\""), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+// A method that ends its process in the way that it is told.
+class EndingMethod : public NaiveRuledSurface
+{
+public:
+  explicit EndingMethod(void (*end)())
+    : End(end)
+  {
+  }
+
+  vtkSmartPointer<vtkPolyData> Reconstruct(const SliceSets&) const override
+  {
+    this->End();
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+
+private:
+  void (*End)();
+};
+
+//------------------------------------------------------------------------------
+TEST(ComparisonTable, CrashesAreRowsThatSaySo)
+{
+#ifdef _WIN32
+  GTEST_SKIP() << "methods run in this process";
+#else
+  Task task;
+  task.CaseName = "sphere";
+  task.Truth = MakeSphere(1.0);
+  task.Spacing = 0.1;
+  const EndingMethod killed([]() { std::raise(SIGKILL); }), exits([]() { std::_Exit(3); }),
+    silent([]() { std::_Exit(0); });
+  const Row row = RunMethod(killed, task, 100).Figures;
+  EXPECT_EQ(row.Status.find("crashed: Killed"), 0u) << row.Status;
+  EXPECT_EQ(RunMethod(exits, task, 100).Figures.Status, "crashed: exit status 3");
+  EXPECT_EQ(RunMethod(silent, task, 100).Figures.Status, "crashed: ended without a result");
+  std::ostringstream table;
+  PrintTable({ row }, table);
+  EXPECT_NE(table.str().find("crashed"), std::string::npos);
+#endif
+}
+
+//------------------------------------------------------------------------------
+// Points and cells of every kind come back as they were.
+TEST(RunApart, SurfaceIsTheSameAsInThisProcess)
+{
+  const SliceSets slices = CutSurface(MakeSphere(1.0), { 8, 8, 8 });
+  for (const std::unique_ptr<Baseline>& method : MakeAllMethods())
+  {
+    SCOPED_TRACE(method->Name());
+    const Surface here = method->Reconstruct(slices);
+    const TimedSurface apart = RunApart(*method, slices);
+    EXPECT_GT(apart.Seconds, 0.0);
+    ASSERT_EQ(apart.Surface->GetNumberOfPoints(), here->GetNumberOfPoints());
+    ASSERT_EQ(apart.Surface->GetNumberOfPolys(), here->GetNumberOfPolys());
+    ASSERT_EQ(apart.Surface->GetNumberOfStrips(), here->GetNumberOfStrips());
+    ASSERT_GT(here->GetNumberOfCells(), 0);
+    vtkIdType different = 0;
+    for (vtkIdType i = 0; i < here->GetNumberOfPoints(); ++i)
+    {
+      double a[3], b[3];
+      here->GetPoint(i, a);
+      apart.Surface->GetPoint(i, b);
+      different += std::equal(a, a + 3, b) ? 0 : 1;
+    }
+    vtkNew<vtkIdList> a, b;
+    for (vtkIdType i = 0; i < here->GetNumberOfCells(); ++i)
+    {
+      here->GetCellPoints(i, a);
+      apart.Surface->GetCellPoints(i, b);
+      different +=
+        a->GetNumberOfIds() == b->GetNumberOfIds() && std::equal(a->begin(), a->end(), b->begin())
+        ? 0
+        : 1;
+    }
+    EXPECT_EQ(different, 0);
+  }
 }
 
 //------------------------------------------------------------------------------
