@@ -188,9 +188,9 @@ TEST(SeparatePatches, MakesShellsOfFansThatCross)
 //----------------------------------------------------------------------------
 namespace
 {
-/// Stars around the vertex (u, v) of M on the plane, one within another, `rings` of them. They cross
-/// the grid lines close to each other; from one ring on, which is another one in every quadrant,
-/// they have a long spike there, so that the central points lie far apart.
+/// Stars around the vertex (u, v) of M on the plane, one within another, `rings` of them. They
+/// cross the grid lines close to each other; from one ring on, which is another one in every
+/// quadrant, they have a long spike there, so that the central points lie far apart.
 void AddNestedStars(Pieces& pieces, double plane, double u, double v, int rings, double size)
 {
   for (int ring = 0; ring < rings; ++ring)
