@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   changes of the input or the machine that must not change the surface, or only in a known way
+ * @brief   changes of the input or the machine that must not change the surface, or only in a
+ * known way
  */
 
 #include "Support/CheckSurface.h"
@@ -232,20 +233,26 @@ TEST(Metamorphic, PermutedAxesGiveThePermutedSurface)
   VisitCases(
     [](const PieceSets& sets)
     {
+      const auto surface = Surface(sets);
       PieceSets permuted = sets;
-      PermuteAxes(permuted);
-      ExpectSameTriangles(Canonical(MeshOf(Surface(permuted))),
-        Mapped(Surface(sets), false,
-          [](const Point3& p) -> Point3 {
-            return { p[2], p[0], p[1] };
-          }));
-      PieceSets exchanged = sets;
-      ExchangeXAndY(exchanged);
-      ExpectSameTriangles(Canonical(MeshOf(Surface(exchanged))),
-        Mapped(Surface(sets), true,
-          [](const Point3& p) -> Point3 {
-            return { p[1], p[0], p[2] };
-          }));
+      for (int turns = 0; turns < 3; ++turns)
+      {
+        SCOPED_TRACE(turns);
+        const auto turned = [turns](const Point3& p) -> Point3 {
+          return { p[(3 - turns) % 3], p[(4 - turns) % 3], p[(5 - turns) % 3] };
+        };
+        ExpectSameTriangles(Canonical(MeshOf(Surface(permuted))), Mapped(surface, false, turned));
+        PieceSets exchanged = permuted;
+        ExchangeXAndY(exchanged);
+        ExpectSameTriangles(Canonical(MeshOf(Surface(exchanged))),
+          Mapped(surface, true,
+            [&](const Point3& p) -> Point3
+            {
+              const Point3 q = turned(p);
+              return { q[1], q[0], q[2] };
+            }));
+        PermuteAxes(permuted);
+      }
     });
 }
 
@@ -279,16 +286,23 @@ TEST(Metamorphic, MirroredContoursGiveTheMirroredSurface)
       {
         return; // a vertex on a plane lies above it, and its mirror image does not lie below
       }
-      for (int axis = 0; axis < 3; ++axis)
+      const auto surface = Surface(sets);
+      for (int axes = 1; axes < 8; ++axes) // bits 0, 1, 2: across x, y, z
       {
-        SCOPED_TRACE(axis);
+        SCOPED_TRACE(axes);
         PieceSets mirrored = sets;
-        Mirror(mirrored, axis);
-        const auto expected = Mapped(Surface(sets), true,
-          [axis](Point3 p)
+        Point3 sign{ 1.0, 1.0, 1.0 };
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          if ((axes >> axis) & 1)
           {
-            p[axis] = -p[axis];
-            return p;
+            Mirror(mirrored, axis);
+            sign[axis] = -1.0;
+          }
+        }
+        const auto expected = Mapped(surface, sign[0] * sign[1] * sign[2] < 0.0,
+          [&sign](const Point3& p) -> Point3 {
+            return { sign[0] * p[0], sign[1] * p[1], sign[2] * p[2] };
           });
         ExpectSameTriangles(Canonical(MeshOf(Surface(mirrored))), expected);
       }
@@ -296,33 +310,53 @@ TEST(Metamorphic, MirroredContoursGiveTheMirroredSurface)
 }
 
 //----------------------------------------------------------------------------
+namespace
+{
+/// In the precision of the input.
+vtkSmartPointer<vtkPolyData> SurfaceOfType(const PieceSets& sets, int type)
+{
+  FilterRun run(sets, Form::ClosedLine, type);
+  vtkSmartPointer<vtkPolyData> surface = run.Update();
+  EXPECT_EQ(surface->GetPoints()->GetDataType(), type);
+  return surface;
+}
+
+void ExpectScaled(vtkPolyData* surface, int exponent, vtkPolyData* result)
+{
+  ASSERT_EQ(result->GetNumberOfPoints(), surface->GetNumberOfPoints());
+  EXPECT_TRUE(SameBytes(
+    result->GetPolys()->GetConnectivityArray(), surface->GetPolys()->GetConnectivityArray()));
+  vtkIdType different = 0;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    double a[3], b[3];
+    surface->GetPoint(i, a);
+    result->GetPoint(i, b);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      different += std::ldexp(a[axis], exponent) != b[axis] ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(different, 0);
+}
+}
+
 TEST(Metamorphic, PowersOfTwoScaleEveryBit)
 {
   VisitCases(
     [](const PieceSets& sets)
     {
-      const auto surface = Surface(sets);
-      for (const int exponent : { -30, -3, 1, 10, 40 })
+      for (const int type : { VTK_DOUBLE, VTK_FLOAT })
       {
-        SCOPED_TRACE(exponent);
-        PieceSets scaled = sets;
-        Scale(scaled, std::ldexp(1.0, exponent));
-        const auto result = Surface(scaled);
-        ASSERT_EQ(result->GetNumberOfPoints(), surface->GetNumberOfPoints());
-        EXPECT_TRUE(SameBytes(
-          result->GetPolys()->GetConnectivityArray(), surface->GetPolys()->GetConnectivityArray()));
-        vtkIdType different = 0;
-        for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+        const auto surface = SurfaceOfType(sets, type);
+        EXPECT_GT(surface->GetNumberOfCells(), 0);
+        for (const int exponent : { -30, -3, 1, 10, 40 })
         {
-          double a[3], b[3];
-          surface->GetPoint(i, a);
-          result->GetPoint(i, b);
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            different += std::ldexp(a[axis], exponent) != b[axis] ? 1 : 0;
-          }
+          SCOPED_TRACE(std::to_string(exponent) + (type == VTK_FLOAT ? ", float" : ", double"));
+          PieceSets scaled = sets;
+          Scale(scaled, std::ldexp(1.0, exponent));
+          ExpectScaled(surface, exponent, SurfaceOfType(scaled, type));
         }
-        EXPECT_EQ(different, 0);
       }
     });
 }
