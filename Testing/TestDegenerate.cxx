@@ -4,8 +4,8 @@
  * @file
  * @brief   contours in singular position, each as small as it can be drawn
  *
- * Every one has to give a surface that is closed, 2-manifold, oriented and embedded (G1 to G3, G6), in
- * both precisions, with directions trusted or not, and with all of its axes permuted; or it is
+ * Every one has to give a surface that is closed, 2-manifold, oriented and embedded (G1 to G3, G6),
+ * in both precisions, with directions trusted or not, and with all of its axes permuted; or it is
  * refused with a problem that names the place.
  */
 
@@ -18,11 +18,14 @@
 #include "vtkNew.h"
 #include "vtkOrthogonalSlicer.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
 #include "vtkTriangleFilter.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -192,44 +195,53 @@ TEST(Degenerate, ArcsAlongGridLinesForthAndBack)
 }
 
 //----------------------------------------------------------------------------
-// A cube, by the slicer and its contours back into the filter.
+// Meshes, by the slicer and its contours back into the filter.
 
 namespace
 {
-void SetPlanes(vtkOrthogonalSlicer* slicer, const std::vector<double>& planes)
+void SetPlanes(vtkOrthogonalSlicer* slicer, const std::array<std::vector<double>, 3>& planes)
 {
   slicer->SetPlaneModeToCoordinates();
   for (int axis = 0; axis < 3; ++axis)
   {
-    for (std::size_t i = 0; i < planes.size(); ++i)
+    for (std::size_t i = 0; i < planes[axis].size(); ++i)
     {
-      slicer->SetCoordinate(axis, static_cast<int>(i), planes[i]);
+      slicer->SetCoordinate(axis, static_cast<int>(i), planes[axis][i]);
     }
   }
 }
 
+/// The surface from slices of a mesh in one precision.
+vtkSmartPointer<vtkPolyData> ExpectSoundSlices(
+  vtkPolyData* mesh, const std::array<std::vector<double>, 3>& planes, int precision)
+{
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(mesh);
+  slicer->SetOutputPointsPrecision(precision);
+  SetPlanes(slicer, planes);
+  FilterRun run;
+  for (int port = 0; port < 3; ++port)
+  {
+    run.Filter->SetInputConnection(port, slicer->GetOutputPort(port));
+  }
+  vtkSmartPointer<vtkPolyData> surface = run.Update();
+  EXPECT_EQ(DescribeFlaws(MeshOf(surface)), "");
+  EXPECT_TRUE(surface->GetNumberOfCells() > 0 || !run.Errors.empty());
+  return surface;
+}
+
 void ExpectSoundSlicesOfCube(const std::vector<double>& planes)
 {
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(2);
+  cube->SetYLength(2);
+  cube->SetZLength(2);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(cube->GetOutputPort());
+  triangles->Update();
   for (const int precision : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION })
   {
-    vtkNew<vtkCubeSource> cube;
-    cube->SetXLength(2);
-    cube->SetYLength(2);
-    cube->SetZLength(2);
-    vtkNew<vtkTriangleFilter> triangles;
-    triangles->SetInputConnection(cube->GetOutputPort());
-    vtkNew<vtkOrthogonalSlicer> slicer;
-    slicer->SetInputConnection(triangles->GetOutputPort());
-    slicer->SetOutputPointsPrecision(precision);
-    SetPlanes(slicer, planes);
-    FilterRun run;
-    for (int port = 0; port < 3; ++port)
-    {
-      run.Filter->SetInputConnection(port, slicer->GetOutputPort(port));
-    }
-    vtkPolyData* surface = run.Update();
-    EXPECT_EQ(DescribeFlaws(MeshOf(surface)), "");
-    EXPECT_TRUE(surface->GetNumberOfCells() > 0 || !run.Errors.empty());
+    ExpectSoundSlices(triangles->GetOutput(), { planes, planes, planes }, precision);
   }
 }
 }
@@ -248,6 +260,56 @@ TEST(Degenerate, PlanesNextToFacesOfTheMesh)
   ExpectSoundSlicesOfCube({ -1 - e, 0, 1 + e });
   ExpectSoundSlicesOfCube({ -1 + e, 0, 1 - e });
   ExpectSoundSlicesOfCube({ -1 + 1e-4, 0, 1 - 1e-4 });
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// Coordinates of the mesh's points along an axis, ascending, each at least `least` after the last.
+std::vector<double> PointCoordinates(vtkPolyData* mesh, int axis, double least)
+{
+  std::set<double> all;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    all.insert(mesh->GetPoint(i)[axis]);
+  }
+  std::vector<double> chosen;
+  for (const double x : all)
+  {
+    if (chosen.empty() || x >= chosen.back() + least)
+    {
+      chosen.push_back(x);
+    }
+  }
+  return chosen;
+}
+}
+
+/// Every plane passes through a vertex of a sphere: the z-planes through whole rings and the poles.
+TEST(Degenerate, PlanesThroughVerticesOfTheMesh)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  sphere->SetRadius(1.0);
+  sphere->SetThetaResolution(16);
+  sphere->SetPhiResolution(17);
+  sphere->Update();
+  for (const double least : { 0.02, 0.1, 0.3 })
+  {
+    SCOPED_TRACE(least);
+    std::array<std::vector<double>, 3> planes;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      planes[axis] = PointCoordinates(sphere->GetOutput(), axis, least);
+    }
+    for (const int precision : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION })
+    {
+      const SurfaceCheck check =
+        CheckSurface(MeshOf(ExpectSoundSlices(sphere->GetOutput(), planes, precision)));
+      EXPECT_EQ(check.Components, 1);
+      EXPECT_EQ(check.TotalGenus(), 0);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------
