@@ -11,10 +11,12 @@
 
 #include "Support/CheckSurface.h"
 #include "Support/DataSets.h"
+#include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/Random.h"
 #include "Support/RandomInput.h"
 #include "Support/SliceSolid.h"
+#include "Support/SurfaceMetrics.h"
 
 #include "vtkPolyData.h"
 
@@ -23,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <thread>
 
 using namespace orthoslices;
@@ -430,6 +433,26 @@ TEST(Topology, ShapesOfTheDataFolder)
       EXPECT_EQ(check.TotalGenus(), data.Genus);
       const double truth = CheckSurface(MeshOf(ReadTruth(data))).TotalVolume();
       EXPECT_NEAR(check.TotalVolume(), truth, 0.02 * truth);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+/// As near to the label volume's own surface as its voxels allow.
+TEST(Accuracy, LabelVolumesToHalfAVoxel)
+{
+  const double voxel = 0.9375; // millimetres, the shorter side; Data/*/meta.json
+  const std::map<std::string, double> scale{ { "lbl_lumbar3", 0.010255403836489527 },
+    { "lbl_stomach", 0.0063848474084438 } };
+  for (const DataSet& data : AllDataSets())
+  {
+    if (!data.Consistent)
+    {
+      SCOPED_TRACE(data.Name);
+      FilterRun run(ReadPieceSets(data, 32));
+      const auto deviation = MeasureDeviation(run.Update(), ReadTruth(data), 20000);
+      ASSERT_TRUE(deviation);
+      EXPECT_LT(deviation->RootMeanSquare, 0.5 * voxel * scale.at(data.Name));
     }
   }
 }
