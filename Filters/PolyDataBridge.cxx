@@ -151,7 +151,7 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
 
 /**
  * What was repaired at each polygon: bit 0, one of its nodes disagrees by more than the
- * tolerance; bit 1, one of its arcs was drawn anew; bit 2, its patch was separated from others.
+ * tolerance; bit 1, one of its arcs was changed; bit 2, its patch was separated from others.
  */
 std::vector<unsigned char> FindRepairs(const Reconstruction& result, double tolerance)
 {

@@ -45,7 +45,7 @@
  *  - point data "Disagreement" (float): at a node point, the distance of the two contours along
  *    the grid edge in world units; 0 at other points;
  *  - cell data "Repaired" (unsigned char): sum of 1 (a node point of the polygon disagrees by
- *    more than ReportTolerance), 2 (an arc was drawn anew) and 4 (the patch was separated from
+ *    more than ReportTolerance), 2 (an arc was changed so that it crosses no other) and 4 (the patch was separated from
  *    another).
  *
  * Port 1, the graph G and the repairs (vtkPolyData): one vertex cell for each node point, one for
@@ -53,8 +53,9 @@
  * (a contour without node points, which takes no part in the surface). Cell data:
  *  - "Kind" (unsigned char): 0 node point, 1 arc, 2 isolated contour; repairs: 3 a slice was
  *    overruled on whether a vertex of M is inside, 4 two crossings that the other slice does not
- *    have were taken out, 5 arcs that crossed or touched were drawn anew, 6 the same and their
- *    ends were joined in another way, 7 patches that crossed within a cell were separated;
+ *    have were taken out, 8 arcs that crossed on a face of M were taken apart (they pass their
+ *    vertices in another order), 5 arcs that touched otherwise were drawn anew, 6 the same and
+ *    their ends were joined in another way, 7 patches that crossed within a cell were separated;
  *  - "Disagreement" (double): at a node point, the distance of the two contours along the grid
  *    edge in world units; 0 elsewhere;
  *  - "SliceAxis" (int): 0, 1, 2 for arcs and repairs on x-, y-, z-slices, else -1;
@@ -63,7 +64,7 @@
  *  - "ComponentId" (int): as on port 0; -1 for repairs and isolated contours;
  *  - "RepairSize" (float): in world units, how far the slice's nearest crossing was from the
  *    vertex (kind 3), distance of the crossings (4), length of the new arcs (5, 6), of the border
- *    of the patch (7).
+ *    of the patch (7), by how much the arcs became shorter (8).
  *
  * Port 2, the histogram of polygon sizes (vtkTable; the paper's Figure 8): columns "PolygonSize"
  * and "Count" (vtkIdType), one row for every size from the smallest to the largest that occurs.

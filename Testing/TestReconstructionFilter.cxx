@@ -494,7 +494,8 @@ TEST(ReconstructionFilter, FieldDataCountWhatIsThere)
   EXPECT_EQ(FieldValue(surface, "NumberOfNodePoints"), count[0]);
   EXPECT_EQ(FieldValue(surface, "NumberOfIsolatedContours"), count[2]);
   EXPECT_EQ(
-    FieldValue(surface, "NumberOfRepairs"), count[3] + count[4] + count[5] + count[6] + count[7]);
+    FieldValue(surface, "NumberOfRepairs"),
+    count[3] + count[4] + count[5] + count[6] + count[7] + count[8]);
   EXPECT_GE(count[3], FieldValue(surface, "NumberOfReconciledVertices"));
   EXPECT_GE(count[4], FieldValue(surface, "NumberOfReconciledEdges"));
 }

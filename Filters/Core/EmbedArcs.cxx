@@ -2,166 +2,81 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EmbedArcs.h"
 
-#include "Predicates.h"
+#include "ArcShells.h"
+#include "FaceArcs.h"
+#include "UncrossCurves.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 namespace orthoslices
 {
 namespace
 {
-/// Depth of the outermost shell as a part of the way from the border to the centre of the face.
-constexpr double DeepestShell = 0.3;
-
-struct ArcInFace
+/// The arcs of a face as curves; arc i had the vertices First[i] to First[i + 1] - 1.
+struct FaceCurves
 {
-  std::uint64_t Face;
-  Index Arc;
-};
-
-/// A face of M: the rectangle between its four grid lines.
-struct Face
-{
-  int Axis;
-  Index Plane;
-  std::array<Index, 2> Slab; ///< along u and v
-};
-
-/// An end of an arc on the border of its face. Edges count counter-clockwise from the lower one.
-struct BorderEnd
-{
-  int Edge;
-  Index Node;
-  Index Crossing;
-  bool IsStart; ///< of its arc
-};
-
-/// Arcs that replace the geometry of others, in one list.
-struct NewArcs
-{
-  std::vector<Index> Arc;
-  std::vector<std::size_t> Offsets{ 0 };
-  std::vector<Point3> Points;
+  PlanarCurves Set;
+  std::vector<Index> First;
 };
 
 class ArcEmbedder
 {
 public:
-  ArcEmbedder(
-    const SpatialGrid& grid, const NodePoints& nodes, Crossings& crossings, NodeGraph& graph)
-    : Grid(grid)
-    , Code(grid)
-    , Nodes(nodes)
-    , Lattice(crossings)
-    , Graph(graph)
+  ArcEmbedder(const ArcGeometry& geometry, const Execution& execution)
+    : Geometry(geometry)
+    , Execute(execution)
   {
   }
 
-  std::vector<Repair> Run(const Execution& execution, const std::vector<Index>& forced);
+  std::vector<Repair> Run(const std::vector<Index>& forced);
 
 private:
-  using Group = std::pair<const ArcInFace*, const ArcInFace*>;
-
-  Face FaceOf(Index arc) const;
-  std::vector<ArcInFace> SortByFace() const;
-  void MoveInside(const Face& face, Index arc);
-  bool IsSimple(const Face& face, Group arcs) const;
-  bool IsMonotone(const Face& face, Index arc) const;
-  void AddSegments(const Face& face, Index arc, std::vector<PolylineSegment>& segments) const;
-  Point2 InPlane(const Face& face, Index point) const;
-  template <typename Visit>
-  void VisitPoints(Index arc, Visit&& visit) const;
-
-  bool Redraw(const Face& face, Group arcs, NewArcs& redrawn);
-  std::vector<BorderEnd> SortEnds(Group arcs) const;
-  Index ArcOf(const BorderEnd& end) const
+  enum class Task : std::uint8_t
   {
-    return end.IsStart ? end.Crossing : this->Lattice.Previous[end.Crossing];
-  }
-  BorderEnd EndOnBorder(Index crossing, bool isStart) const;
-  bool Interlock(const std::vector<BorderEnd>& ends) const;
-  void Reconnect(const std::vector<BorderEnd>& ends);
-  void DrawShells(const Face& face, const std::vector<BorderEnd>& ends, NewArcs& redrawn) const;
-  Repair Describe(
-    const Face& face, bool reconnected, const NewArcs& redrawn, std::size_t first) const;
-  void Replace(const NewArcs& redrawn);
+    Keep,
+    Uncross,
+    DrawAnew
+  };
 
-  const SpatialGrid& Grid;
-  GridEdgeCode Code;
-  const NodePoints& Nodes;
-  Crossings& Lattice;
-  NodeGraph& Graph;
+  std::vector<Task> Classify(const ArcsByFace& faces, const std::vector<Index>& forced) const;
+  void MoveInside(const Face& face, Index arc) const;
+  bool IsSimple(const FaceArcs& face, std::vector<PolylineSegment>& segments) const;
+  bool IsMonotone(const Face& face, Index arc) const;
+  bool AreOnOneEdge(Index a, Index b) const;
+  void AddSegments(
+    const Face& face, Index arc, std::vector<PolylineSegment>& segments) const;
+
+  Drawing Draw(const FaceArcs& face, bool forced) const;
+  bool Uncross(const FaceArcs& face, Drawing& drawing) const;
+  FaceCurves GetCurves(const FaceArcs& face) const;
+  Index StopOf(const FaceArcs& face, const FaceCurves& curves, Index curve) const;
+  Index AddBumps(const FaceArcs& face, FaceCurves& curves) const;
+  Point2 Bump(const Face& face, Index start, Index stop) const;
+  void Redraw(const FaceArcs& face, const FaceCurves& curves, const Uncrossing& outcome,
+    Drawing& drawing) const;
+  Repair DescribeBumps(const Face& face, const Drawing& drawing) const;
+  void Replace(const std::vector<Drawing>& drawings) const;
+
+  const ArcGeometry& Geometry;
+  const Execution& Execute;
 };
 
-Face ArcEmbedder::FaceOf(Index arc) const
+void ArcEmbedder::MoveInside(const Face& face, Index arc) const
 {
-  const GridEdge edge = this->Code.Decode(this->Lattice.Edge[arc]);
-  const Index beyond = this->Lattice.Direction[arc] > 0 ? 1 : 0;
-  return this->Lattice.Family[arc] == 0
-    ? Face{ FirstAxis(edge.Direction), edge.First, { edge.Second + beyond, edge.Slab } }
-    : Face{ SecondAxis(edge.Direction), edge.Second, { edge.Slab, edge.First + beyond } };
-}
-
-std::vector<ArcInFace> ArcEmbedder::SortByFace() const
-{
-  std::vector<ArcInFace> arcs;
-  arcs.reserve(this->Lattice.Count());
-  std::array<std::uint64_t, 3> base{ 0, 0, 0 };
-  const auto slabs = [&](int axis)
-  { return static_cast<std::uint64_t>(this->Grid.Count(axis) + 1); };
-  for (int axis = 0; axis < 2; ++axis)
+  const SpatialGrid& grid = this->Geometry.Grid;
+  double* point = this->Geometry.Graph.Points.data() +
+    3 * static_cast<std::size_t>(this->Geometry.Graph.FirstPoint(arc));
+  double* const end = point + 3 * static_cast<std::size_t>(this->Geometry.Graph.PointCount(arc));
+  for (; point != end; point += 3)
   {
-    base[axis + 1] = base[axis] + slabs(axis) * slabs(FirstAxis(axis)) * slabs(SecondAxis(axis));
-  }
-  for (Index arc = 0; arc < this->Lattice.Count(); ++arc)
-  {
-    if (!this->Lattice.IsRemoved(arc))
-    {
-      const Face face = this->FaceOf(arc);
-      const std::uint64_t code = base[face.Axis] +
-        (face.Plane * slabs(FirstAxis(face.Axis)) + face.Slab[0]) * slabs(SecondAxis(face.Axis)) +
-        face.Slab[1];
-      arcs.push_back({ code, arc });
-    }
-  }
-  std::sort(arcs.begin(), arcs.end(),
-    [](const ArcInFace& a, const ArcInFace& b)
-    { return a.Face != b.Face ? a.Face < b.Face : a.Arc < b.Arc; });
-  return arcs;
-}
-
-Point2 ArcEmbedder::InPlane(const Face& face, Index point) const
-{
-  const double* p = this->Graph.Points.data() + 3 * static_cast<std::size_t>(point);
-  return { p[FirstAxis(face.Axis)], p[SecondAxis(face.Axis)] };
-}
-
-/// Calls visit(point of G) from the first to the last point of an arc, nodes included.
-template <typename Visit>
-void ArcEmbedder::VisitPoints(Index arc, Visit&& visit) const
-{
-  visit(this->Nodes.NodeOf[arc]);
-  for (Index i = 0; i < this->Graph.PointCount(arc); ++i)
-  {
-    visit(this->Graph.FirstPoint(arc) + i);
-  }
-  visit(this->Nodes.NodeOf[this->Lattice.Next[arc]]);
-}
-
-void ArcEmbedder::MoveInside(const Face& face, Index arc)
-{
-  for (Index i = 0; i < this->Graph.PointCount(arc); ++i)
-  {
-    double* point =
-      this->Graph.Points.data() + 3 * static_cast<std::size_t>(this->Graph.FirstPoint(arc) + i);
     for (int side = 0; side < 2; ++side)
     {
       const int axis = (face.Axis + 1 + side) % 3;
-      if (!this->Grid.IsInside(axis, face.Slab[side], point[axis]))
+      if (!grid.IsInside(axis, face.Slab[side], point[axis]))
       {
-        point[axis] = this->Grid.MoveInside(axis, face.Slab[side], point[axis]);
+        point[axis] = grid.MoveInside(axis, face.Slab[side], point[axis]);
       }
     }
   }
@@ -170,16 +85,16 @@ void ArcEmbedder::MoveInside(const Face& face, Index arc)
 /// Every segment goes forward in the direction from end to end: such an arc cannot touch itself.
 bool ArcEmbedder::IsMonotone(const Face& face, Index arc) const
 {
-  const Point2 start = this->InPlane(face, this->Nodes.NodeOf[arc]);
-  const Point2 end = this->InPlane(face, this->Nodes.NodeOf[this->Lattice.Next[arc]]);
+  const Point2 start = this->Geometry.InPlane(face, this->Geometry.StartNode(arc));
+  const Point2 end = this->Geometry.InPlane(face, this->Geometry.EndNode(arc));
   const Point2 chord{ end[0] - start[0], end[1] - start[1] };
   bool monotone = true;
   bool first = true;
   Point2 previous = start;
-  this->VisitPoints(arc,
+  this->Geometry.VisitPoints(arc,
     [&](Index point)
     {
-      const Point2 p = this->InPlane(face, point);
+      const Point2 p = this->Geometry.InPlane(face, point);
       const double step = (p[0] - previous[0]) * chord[0] + (p[1] - previous[1]) * chord[1];
       monotone &= first || step > 0.0;
       first = false;
@@ -188,15 +103,20 @@ bool ArcEmbedder::IsMonotone(const Face& face, Index arc) const
   return monotone;
 }
 
+bool ArcEmbedder::AreOnOneEdge(Index a, Index b) const
+{
+  return this->Geometry.Lattice.Edge[a] == this->Geometry.Lattice.Edge[b];
+}
+
 void ArcEmbedder::AddSegments(
   const Face& face, Index arc, std::vector<PolylineSegment>& segments) const
 {
   Index place = -1;
   Point2 previous{ 0.0, 0.0 };
-  this->VisitPoints(arc,
+  this->Geometry.VisitPoints(arc,
     [&](Index point)
     {
-      const Point2 p = this->InPlane(face, point);
+      const Point2 p = this->Geometry.InPlane(face, point);
       if (place >= 0)
       {
         segments.push_back({ previous, p, arc, place });
@@ -206,292 +126,275 @@ void ArcEmbedder::AddSegments(
     });
 }
 
-bool ArcEmbedder::IsSimple(const Face& face, Group arcs) const
+/// `segments` is memory to be used again.
+bool ArcEmbedder::IsSimple(const FaceArcs& face, std::vector<PolylineSegment>& segments) const
 {
-  for (const ArcInFace* a = arcs.first; a != arcs.second; ++a)
+  segments.clear();
+  for (const Index arc : face)
   {
-    const bool onEdge =
-      this->Lattice.Edge[a->Arc] == this->Lattice.Edge[this->Lattice.Next[a->Arc]];
-    if (onEdge && this->Graph.PointCount(a->Arc) == 0)
+    if (this->Geometry.Graph.PointCount(arc) == 0 &&
+      this->AreOnOneEdge(arc, this->Geometry.Lattice.Next[arc]))
     {
       return false;
     }
   }
-  if (arcs.second - arcs.first == 1 && this->IsMonotone(face, arcs.first->Arc))
+  if (face.Count() == 1 && this->IsMonotone(face.Face, *face.First))
   {
     return true;
   }
-  std::vector<PolylineSegment> segments;
-  for (const ArcInFace* a = arcs.first; a != arcs.second; ++a)
+  for (const Index arc : face)
   {
-    this->AddSegments(face, a->Arc, segments);
+    this->AddSegments(face.Face, arc, segments);
   }
   return AreSimple(segments);
 }
 
-BorderEnd ArcEmbedder::EndOnBorder(Index crossing, bool isStart) const
+/// A vertex a little inside the face, beside the middle between two ends on one edge of M.
+Point2 ArcEmbedder::Bump(const Face& face, Index start, Index stop) const
 {
-  // An arc that starts upwards starts at the lower border; one that ends upwards ends at the
-  // upper one.
-  const bool lower = (this->Lattice.Direction[crossing] > 0) == isStart;
-  const bool acrossU = this->Lattice.Family[crossing] == 0;
-  const int edge = acrossU ? (lower ? 3 : 1) : (lower ? 0 : 2);
-  return { edge, this->Nodes.NodeOf[crossing], crossing, isStart };
+  const SpatialGrid& grid = this->Geometry.Grid;
+  const Point2 from = this->Geometry.InPlane(face, this->Geometry.Nodes.NodeOf[start]);
+  const Point2 to = this->Geometry.InPlane(face, this->Geometry.Nodes.NodeOf[stop]);
+  const int edge = BorderEdge(this->Geometry.Lattice, start, true);
+  const int across = edge % 2 == 1 ? 0 : 1;
+  const int along = 1 - across;
+  const int axis = (face.Axis + 1 + across) % 3;
+  double low, high;
+  grid.GetExtent(axis, face.Slab[across], from[across], from[across], low, high);
+  // A quarter of the length, so that bumps within bumps do not touch.
+  const double depth = std::min(0.25 * std::abs(to[along] - from[along]), 0.125 * (high - low));
+  const bool lower = edge == 0 || edge == 3;
+  Point2 bump;
+  bump[along] = grid.Round(from[along] + 0.5 * (to[along] - from[along]));
+  bump[across] =
+    grid.MoveInside(axis, face.Slab[across], from[across] + (lower ? depth : -depth));
+  return bump;
 }
 
-/// Counter-clockwise around the face. Nodes on one grid edge are numbered upwards.
-std::vector<BorderEnd> ArcEmbedder::SortEnds(Group arcs) const
+FaceCurves ArcEmbedder::GetCurves(const FaceArcs& face) const
 {
-  std::vector<BorderEnd> ends;
-  for (const ArcInFace* a = arcs.first; a != arcs.second; ++a)
+  FaceCurves curves;
+  for (const Index arc : face)
   {
-    ends.push_back(this->EndOnBorder(a->Arc, true));
-    ends.push_back(this->EndOnBorder(this->Lattice.Next[a->Arc], false));
+    const Index first = static_cast<Index>(curves.Set.Vertices.size());
+    this->Geometry.VisitPoints(arc,
+      [&](Index point) { curves.Set.Vertices.push_back(this->Geometry.InPlane(face.Face, point)); });
+    curves.First.push_back(first);
+    curves.Set.Curves.emplace_back(curves.Set.Vertices.size() - first);
+    std::iota(curves.Set.Curves.back().begin(), curves.Set.Curves.back().end(), first);
   }
-  std::sort(ends.begin(), ends.end(),
-    [](const BorderEnd& a, const BorderEnd& b) {
-      return a.Edge != b.Edge ? a.Edge < b.Edge : a.Edge < 2 ? a.Node < b.Node : a.Node > b.Node;
-    });
-  return ends;
+  curves.First.push_back(static_cast<Index>(curves.Set.Vertices.size()));
+  return curves;
 }
 
-bool ArcEmbedder::Interlock(const std::vector<BorderEnd>& ends) const
+/// The crossing at which a curve ends.
+Index ArcEmbedder::StopOf(const FaceArcs& face, const FaceCurves& curves, Index curve) const
 {
-  std::vector<Index> open;
-  for (const BorderEnd& end : ends)
+  const Index end = curves.Set.Curves[curve].back();
+  const auto next = std::upper_bound(curves.First.begin(), curves.First.end(), end);
+  return this->Geometry.Lattice.Next[face.First[next - curves.First.begin() - 1]];
+}
+
+/// Draws curves that lie on an edge of M into the face. Returns how many there were.
+Index ArcEmbedder::AddBumps(const FaceArcs& face, FaceCurves& curves) const
+{
+  Index count = 0;
+  for (Index i = 0; i < face.Count(); ++i)
   {
-    const Index arc = this->ArcOf(end);
-    if (!open.empty() && open.back() == arc)
+    std::vector<Index>& curve = curves.Set.Curves[i];
+    const Index start = face.First[i];
+    const Index stop = this->StopOf(face, curves, i);
+    if (curve.size() == 2 && this->AreOnOneEdge(start, stop))
     {
-      open.pop_back();
-    }
-    else
-    {
-      open.push_back(arc);
+      curve.insert(curve.begin() + 1, static_cast<Index>(curves.Set.Vertices.size()));
+      curves.Set.Vertices.push_back(this->Bump(face.Face, start, stop));
+      ++count;
     }
   }
-  return !open.empty();
+  return count;
 }
 
-/// Joins every start to the nearest free end around the border; starts and ends alternate there.
-void ArcEmbedder::Reconnect(const std::vector<BorderEnd>& ends)
+/// Passes the vertices of the arcs in another order. False if that does not help.
+bool ArcEmbedder::Uncross(const FaceArcs& face, Drawing& drawing) const
 {
-  std::vector<BorderEnd> open;
-  for (const BorderEnd& end : ends)
+  constexpr int mostRounds = 4;
+  FaceCurves curves = this->GetCurves(face);
+  this->AddBumps(face, curves);
+  Uncrossing outcome = UncrossCurves(curves.Set);
+  for (int round = 1; outcome.Simple && this->AddBumps(face, curves) > 0; ++round)
   {
-    if (open.empty() || open.back().IsStart == end.IsStart)
+    if (round == mostRounds)
     {
-      open.push_back(end);
+      return false;
+    }
+    outcome.Simple = UncrossCurves(curves.Set).Simple;
+  }
+  if (outcome.Simple)
+  {
+    this->Redraw(face, curves, outcome, drawing);
+  }
+  return outcome.Simple;
+}
+
+/// The arcs that are not as they were.
+void ArcEmbedder::Redraw(const FaceArcs& face, const FaceCurves& curves, const Uncrossing& outcome,
+  Drawing& drawing) const
+{
+  std::vector<Index> stops;
+  for (Index i = 0; i < face.Count(); ++i)
+  {
+    stops.push_back(this->StopOf(face, curves, i));
+  }
+  for (Index i = 0; i < face.Count(); ++i)
+  {
+    const std::vector<Index>& curve = curves.Set.Curves[i];
+    const Index size = curves.First[i + 1] - curves.First[i];
+    this->Geometry.Join(face.First[i], stops[i]);
+    if (static_cast<Index>(curve.size()) == size && curve.back() == curves.First[i + 1] - 1 &&
+      std::is_sorted(curve.begin(), curve.end()))
+    {
       continue;
     }
-    const Index start = end.IsStart ? end.Crossing : open.back().Crossing;
-    const Index stop = end.IsStart ? open.back().Crossing : end.Crossing;
-    this->Lattice.Next[start] = stop;
-    this->Lattice.Previous[stop] = start;
-    open.pop_back();
+    drawing.Arc.push_back(face.First[i]);
+    for (std::size_t k = 1; k + 1 < curve.size(); ++k)
+    {
+      drawing.Points.push_back(
+        this->Geometry.InSpace(face.Face, curves.Set.Vertices[curve[k]]));
+    }
+    drawing.Offsets.push_back(drawing.Points.size());
   }
+  drawing.What = outcome.Changes > 0
+    ? Repair{ RepairKind::ArcsUncrossed, face.Face.Axis, face.Face.Plane,
+        this->Geometry.InSpace(face.Face, outcome.Where), outcome.Shortening }
+    : this->DescribeBumps(face.Face, drawing);
 }
 
-void ArcEmbedder::DrawShells(
-  const Face& face, const std::vector<BorderEnd>& ends, NewArcs& redrawn) const
+/// The repair that is nothing but bumps.
+Repair ArcEmbedder::DescribeBumps(const Face& face, const Drawing& drawing) const
 {
-  double low[2], high[2], middle[2];
-  for (int side = 0; side < 2; ++side)
-  {
-    const int axis = (face.Axis + 1 + side) % 3;
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    for (const BorderEnd& end : ends)
-    {
-      const double x = this->InPlane(face, end.Node)[side];
-      least = std::min(least, x);
-      most = std::max(most, x);
-    }
-    this->Grid.GetExtent(axis, face.Slab[side], least, most, low[side], high[side]);
-    middle[side] = low[side] + 0.5 * (high[side] - low[side]);
-  }
-  const auto inward = [&](const Point2& p, double depth) -> Point3
-  {
-    Point3 point;
-    point[face.Axis] = this->Grid.Planes[face.Axis][face.Plane];
-    for (int side = 0; side < 2; ++side)
-    {
-      point[(face.Axis + 1 + side) % 3] =
-        this->Grid.Round(p[side] + depth * (middle[side] - p[side]));
-    }
-    return point;
-  };
-  // Corner e lies at the end of edge e.
-  const Point2 corners[4] = { { high[0], low[1] }, { high[0], high[1] }, { low[0], high[1] },
-    { low[0], low[1] } };
-  struct Open
-  {
-    std::size_t End;
-    int Height; ///< greatest number of arcs nested beneath, so far
-  };
-  const double step = DeepestShell / (0.5 * ends.size());
-  std::vector<Open> open;
-  for (std::size_t i = 0; i < ends.size(); ++i)
-  {
-    const Index arc = ends[i].IsStart ? ends[i].Crossing : this->Lattice.Previous[ends[i].Crossing];
-    const auto arcOf = [&](const BorderEnd& end)
-    { return end.IsStart ? end.Crossing : this->Lattice.Previous[end.Crossing]; };
-    if (open.empty() || arcOf(ends[open.back().End]) != arc)
-    {
-      open.push_back({ i, 0 });
-      continue;
-    }
-    const BorderEnd& first = ends[open.back().End];
-    const int height = open.back().Height + 1;
-    open.pop_back();
-    if (!open.empty())
-    {
-      open.back().Height = std::max(open.back().Height, height);
-    }
-    const double depth = step * height;
-    const std::size_t begin = redrawn.Points.size();
-    redrawn.Points.push_back(inward(this->InPlane(face, first.Node), depth));
-    for (int edge = first.Edge; edge < ends[i].Edge; ++edge)
-    {
-      redrawn.Points.push_back(inward(corners[edge], depth));
-    }
-    redrawn.Points.push_back(inward(this->InPlane(face, ends[i].Node), depth));
-    if (ends[i].IsStart)
-    {
-      std::reverse(redrawn.Points.begin() + begin, redrawn.Points.end());
-    }
-    redrawn.Arc.push_back(arc);
-    redrawn.Offsets.push_back(redrawn.Points.size());
-  }
-}
-
-bool ArcEmbedder::Redraw(const Face& face, Group arcs, NewArcs& redrawn)
-{
-  const std::vector<BorderEnd> ends = this->SortEnds(arcs);
-  const bool reconnect = this->Interlock(ends);
-  if (reconnect)
-  {
-    this->Reconnect(ends);
-  }
-  this->DrawShells(face, ends, redrawn);
-  return reconnect;
-}
-
-/// The repair that gave the new arcs from number `first` on.
-Repair ArcEmbedder::Describe(
-  const Face& face, bool reconnected, const NewArcs& redrawn, std::size_t first) const
-{
-  Point3 sum{ 0.0, 0.0, 0.0 };
   double length = 0.0;
-  for (std::size_t arc = first; arc < redrawn.Arc.size(); ++arc)
+  for (std::size_t i = 0; i < drawing.Arc.size(); ++i)
   {
-    for (std::size_t i = redrawn.Offsets[arc]; i < redrawn.Offsets[arc + 1]; ++i)
-    {
-      const Point3& p = redrawn.Points[i];
-      const Point3& q = redrawn.Points[i > redrawn.Offsets[arc] ? i - 1 : i];
-      length += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        sum[axis] += p[axis];
-      }
-    }
+    const Point2 start = this->Geometry.InPlane(face, this->Geometry.StartNode(drawing.Arc[i]));
+    const Point3 bump = drawing.Points[i];
+    length += 2.0 * std::hypot(bump[FirstAxis(face.Axis)] - start[0],
+                      bump[SecondAxis(face.Axis)] - start[1]);
   }
-  const double count = static_cast<double>(redrawn.Offsets.back() - redrawn.Offsets[first]);
-  return { reconnected ? RepairKind::ArcsReconnected : RepairKind::ArcsRedrawn, face.Axis,
-    face.Plane, { sum[0] / count, sum[1] / count, sum[2] / count }, length };
+  return { RepairKind::ArcsRedrawn, face.Axis, face.Plane, drawing.Points.front(), length };
+}
+
+Drawing ArcEmbedder::Draw(const FaceArcs& face, bool forced) const
+{
+  Drawing drawing;
+  return !forced && this->Uncross(face, drawing) ? drawing
+                                                 : DrawArcShells(this->Geometry, face);
 }
 
 /// Writes the points of G anew with the new arcs in the places of the old ones.
-void ArcEmbedder::Replace(const NewArcs& redrawn)
+void ArcEmbedder::Replace(const std::vector<Drawing>& drawings) const
 {
-  const std::size_t none = redrawn.Arc.size();
-  std::vector<std::size_t> newArc(this->Lattice.Count(), none);
-  for (std::size_t i = 0; i < none; ++i)
+  NodeGraph& graph = this->Geometry.Graph;
+  const Index arcs = this->Geometry.Lattice.Count();
+  using Place = std::pair<const Drawing*, std::size_t>;
+  std::vector<Place> places(arcs, Place(nullptr, 0));
+  std::size_t more = 0;
+  for (const Drawing& drawing : drawings)
   {
-    newArc[redrawn.Arc[i]] = i;
-  }
-  const auto nodesEnd =
-    this->Graph.Points.begin() + 3 * static_cast<std::size_t>(this->Graph.Nodes);
-  std::vector<double> points(this->Graph.Points.begin(), nodesEnd);
-  points.reserve(this->Graph.Points.size() + 3 * redrawn.Points.size());
-  std::vector<Index> offsets(1, 0);
-  this->Graph.Redrawn.resize(this->Lattice.Count(), 0);
-  for (Index arc = 0; arc < this->Lattice.Count(); ++arc)
-  {
-    if (newArc[arc] == none)
+    for (std::size_t i = 0; i < drawing.Arc.size(); ++i)
     {
-      const auto first =
-        this->Graph.Points.begin() + 3 * static_cast<std::size_t>(this->Graph.FirstPoint(arc));
-      points.insert(points.end(), first, first + 3 * this->Graph.PointCount(arc));
+      places[drawing.Arc[i]] = { &drawing, i };
+    }
+    more += 3 * drawing.Points.size();
+  }
+  std::vector<double> points(
+    graph.Points.begin(), graph.Points.begin() + 3 * static_cast<std::size_t>(graph.Nodes));
+  points.reserve(graph.Points.size() + more);
+  std::vector<Index> offsets(1, 0);
+  graph.Redrawn.resize(arcs, 0);
+  for (Index arc = 0; arc < arcs; ++arc)
+  {
+    if (!places[arc].first)
+    {
+      const auto first = graph.Points.begin() + 3 * static_cast<std::size_t>(graph.FirstPoint(arc));
+      points.insert(points.end(), first, first + 3 * static_cast<std::size_t>(graph.PointCount(arc)));
     }
     else
     {
-      this->Graph.Redrawn[arc] = 1;
-      for (std::size_t i = redrawn.Offsets[newArc[arc]]; i < redrawn.Offsets[newArc[arc] + 1]; ++i)
+      const Drawing& drawing = *places[arc].first;
+      const std::size_t i = places[arc].second;
+      graph.Redrawn[arc] = 1;
+      for (std::size_t k = drawing.Offsets[i]; k < drawing.Offsets[i + 1]; ++k)
       {
-        points.insert(points.end(), redrawn.Points[i].begin(), redrawn.Points[i].end());
+        points.insert(points.end(), drawing.Points[k].begin(), drawing.Points[k].end());
       }
     }
-    offsets.push_back(static_cast<Index>(points.size() / 3) - this->Graph.Nodes);
+    offsets.push_back(static_cast<Index>(points.size() / 3) - graph.Nodes);
   }
-  this->Graph.Points.swap(points);
-  this->Graph.Offsets.swap(offsets);
+  graph.Points.swap(points);
+  graph.Offsets.swap(offsets);
 }
 
-std::vector<Repair> ArcEmbedder::Run(const Execution& execution, const std::vector<Index>& forced)
+/// What to do with each face: keep it, take its arcs apart, or draw them anew.
+std::vector<ArcEmbedder::Task> ArcEmbedder::Classify(
+  const ArcsByFace& faces, const std::vector<Index>& forced) const
 {
-  std::vector<std::uint8_t> isForced(forced.empty() ? 0 : this->Lattice.Count(), 0);
+  std::vector<std::uint8_t> isForced(forced.empty() ? 0 : this->Geometry.Lattice.Count(), 0);
   for (const Index arc : forced)
   {
     isForced[arc] = 1;
   }
-  const auto anyForced = [&](Group arcs)
-  {
-    return !isForced.empty() &&
-      std::any_of(
-        arcs.first, arcs.second, [&](const ArcInFace& arc) { return isForced[arc.Arc] != 0; });
-  };
-  const std::vector<ArcInFace> arcs = this->SortByFace();
-  std::vector<std::size_t> groups;
-  for (std::size_t i = 0; i < arcs.size(); ++i)
-  {
-    if (i == 0 || arcs[i].Face != arcs[i - 1].Face)
-    {
-      groups.push_back(i);
-    }
-  }
-  groups.push_back(arcs.size());
-  const auto group = [&](std::size_t g)
-  { return Group(arcs.data() + groups[g], arcs.data() + groups[g + 1]); };
-  std::vector<std::uint8_t> simple(groups.size() - 1, 0);
-  execution.For(simple.size(),
+  std::vector<Task> tasks(faces.Count(), Task::Keep);
+  this->Execute.For(tasks.size(),
     [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t g = begin; g < end; ++g)
+      std::vector<PolylineSegment> segments;
+      for (std::size_t i = begin; i < end; ++i)
       {
-        const Face face = this->FaceOf(arcs[groups[g]].Arc);
-        for (const ArcInFace* arc = group(g).first; arc != group(g).second; ++arc)
+        const FaceArcs face = faces[static_cast<Index>(i)];
+        bool anew = false;
+        for (const Index arc : face)
         {
-          this->MoveInside(face, arc->Arc);
+          this->MoveInside(face.Face, arc);
+          anew |= !isForced.empty() && isForced[arc] != 0;
         }
-        simple[g] = !anyForced(group(g)) && this->IsSimple(face, group(g));
+        tasks[i] = anew                       ? Task::DrawAnew
+          : this->IsSimple(face, segments) ? Task::Keep
+                                           : Task::Uncross;
+      }
+    });
+  return tasks;
+}
+
+std::vector<Repair> ArcEmbedder::Run(const std::vector<Index>& forced)
+{
+  const ArcsByFace faces =
+    GroupArcsByFace(this->Geometry.Grid, this->Geometry.Lattice, this->Execute);
+  const std::vector<Task> tasks = this->Classify(faces, forced);
+  std::vector<Index> changed;
+  for (Index face = 0; face < faces.Count(); ++face)
+  {
+    if (tasks[face] != Task::Keep)
+    {
+      changed.push_back(face);
+    }
+  }
+  std::vector<Drawing> drawings(changed.size());
+  this->Execute.For(changed.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        drawings[i] = this->Draw(faces[changed[i]], tasks[changed[i]] == Task::DrawAnew);
       }
     });
   std::vector<Repair> repairs;
-  NewArcs redrawn;
-  for (std::size_t g = 0; g < simple.size(); ++g)
+  for (const Drawing& drawing : drawings)
   {
-    if (!simple[g])
-    {
-      const std::size_t first = redrawn.Arc.size();
-      const Face face = this->FaceOf(arcs[groups[g]].Arc);
-      const bool reconnected = this->Redraw(face, group(g), redrawn);
-      repairs.push_back(this->Describe(face, reconnected, redrawn, first));
-    }
+    repairs.push_back(drawing.What);
   }
   if (!repairs.empty())
   {
-    this->Replace(redrawn);
+    this->Replace(drawings);
   }
   return repairs;
 }
@@ -501,6 +404,7 @@ std::vector<Repair> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
   const Execution& execution, Crossings& crossings, NodeGraph& graph,
   const std::vector<Index>& forced)
 {
-  return ArcEmbedder(grid, nodes, crossings, graph).Run(execution, forced);
+  const ArcGeometry geometry{ grid, nodes, crossings, graph };
+  return ArcEmbedder(geometry, execution).Run(forced);
 }
 }

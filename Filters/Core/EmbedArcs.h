@@ -13,14 +13,14 @@ namespace orthoslices
  * the start).
  *
  *  - Vertices on the border of their face move inside by the grid's Margin.
- *  - Faces whose arcs may still touch (contours that cross or touch, nodes moved far by
- *    contradictory slices, arcs along a grid line) have all their arcs drawn anew as *shells*: an
- *    arc follows the border of the face at a depth that grows with the number of arcs nested
- *    beneath it, so that no two can meet. If the ends of the arcs interlock, they are joined anew
- *    first, neighbour to neighbour.
+ *  - Arcs that touch (contours that cross, nodes moved by contradictory slices) pass their
+ *    vertices in another order: see UncrossCurves. An arc without vertices that would lie on the
+ *    edge of M on which it begins and ends gets one vertex beside it.
+ *  - Faces where that does not help have all their arcs drawn anew: see DrawArcShells.
  *
  * Other faces keep every vertex. `forced` lists arcs whose faces are drawn anew in any case.
- * Returns one repair for each face that was drawn anew, and marks its arcs in NodeGraph::Redrawn.
+ * Returns one repair for each face that was changed, and marks its changed arcs in
+ * NodeGraph::Redrawn.
  */
 std::vector<Repair> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
   const Execution& execution, Crossings& crossings, NodeGraph& graph,

@@ -10,6 +10,28 @@ namespace orthoslices
 {
 namespace
 {
+/**
+ * How far an end of an arc moves along its edge of M. Other points move along, by less towards the
+ * ends of the edge, so that they do not leave the face of the arc.
+ */
+struct EndShift
+{
+  int Axis;
+  double From, Amount;
+  double Low, High; ///< ends of the edge
+
+  double At(const double* point) const
+  {
+    const double x = point[this->Axis];
+    const double end = x < this->From ? this->Low : this->High;
+    if (end == this->From)
+    {
+      return 0.0;
+    }
+    return std::isfinite(end) ? this->Amount * ((end - x) / (end - this->From)) : this->Amount;
+  }
+};
+
 class GraphBuilder
 {
 public:
@@ -31,7 +53,7 @@ private:
   template <typename Visit>
   void VisitArc(Index arc, Visit&& visit) const;
   bool IsAtCrossing(Index contour, Index vertex, Index crossing) const;
-  Point3 Displacement(Index crossing) const;
+  EndShift Displacement(Index crossing) const;
   Index CountPoints(Index arc) const;
   void WriteArc(Index arc, double* points) const;
   void Fade(Index arc, double* begin, double* end) const;
@@ -90,16 +112,20 @@ Index GraphBuilder::CountPoints(Index arc) const
 }
 
 /// How far the node lies from the crossing of this contour; zero within the tolerance.
-Point3 GraphBuilder::Displacement(Index crossing) const
+EndShift GraphBuilder::Displacement(Index crossing) const
 {
-  Point3 displacement{ 0.0, 0.0, 0.0 };
+  const GridEdge edge = this->Code.Decode(this->Lattice.Edge[crossing]);
   const Index node = this->Nodes.NodeOf[crossing];
-  if (NodeDisagreement(this->Lattice, this->Nodes, node) > this->Tolerance)
-  {
-    const int t = this->Code.Decode(this->Lattice.Edge[crossing]).Direction;
-    displacement[t] = this->Nodes.Position[node] - this->Lattice.Position[crossing];
-  }
-  return displacement;
+  EndShift shift;
+  shift.Axis = edge.Direction;
+  shift.From = this->Lattice.Position[crossing];
+  shift.Amount = NodeDisagreement(this->Lattice, this->Nodes, node) > this->Tolerance
+    ? this->Nodes.Position[node] - shift.From
+    : 0.0;
+  const auto& planes = this->Grid.Planes[shift.Axis];
+  shift.Low = edge.Slab > 0 ? planes[edge.Slab - 1] : -HUGE_VAL;
+  shift.High = edge.Slab < this->Grid.Count(shift.Axis) ? planes[edge.Slab] : HUGE_VAL;
+  return shift;
 }
 
 void GraphBuilder::WriteArc(Index arc, double* points) const
@@ -119,14 +145,13 @@ double Distance(const double* a, const double* b)
   return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }
 
-/// Moves the vertices of an arc by the displacements of its ends, linearly along its length.
+/// Moves the vertices of an arc with its ends, by shares that are linear along its length.
 void GraphBuilder::Fade(Index arc, double* begin, double* end) const
 {
   const Index last = this->Lattice.Next[arc];
-  const Point3 atStart = this->Displacement(arc);
-  const Point3 atEnd = this->Displacement(last);
-  const Point3 none{ 0.0, 0.0, 0.0 };
-  if (begin == end || (atStart == none && atEnd == none))
+  const EndShift atStart = this->Displacement(arc);
+  const EndShift atEnd = this->Displacement(last);
+  if (begin == end || (atStart.Amount == 0.0 && atEnd.Amount == 0.0))
   {
     return;
   }
@@ -150,11 +175,13 @@ void GraphBuilder::Fade(Index arc, double* begin, double* end) const
   for (std::size_t i = 0; i < lengths.size(); ++i)
   {
     const double share = length > 0.0 ? lengths[i] / length : 0.5;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      double& x = begin[3 * i + axis];
-      x = this->Grid.Round(x + (1.0 - share) * atStart[axis] + share * atEnd[axis]);
-    }
+    double* point = begin + 3 * i;
+    const double first = (1.0 - share) * atStart.At(point);
+    const double second = share * atEnd.At(point);
+    point[atStart.Axis] += first;
+    point[atEnd.Axis] += second;
+    point[atStart.Axis] = this->Grid.Round(point[atStart.Axis]);
+    point[atEnd.Axis] = this->Grid.Round(point[atEnd.Axis]);
   }
 }
 

@@ -19,7 +19,7 @@ struct NodeGraph
   std::vector<double> Points;        ///< x, y, z of each point
   std::vector<Index> Offsets;        ///< for each crossing, and the end
   std::vector<Index> Component;      ///< of each node, numbered from 0 by their first node
-  std::vector<std::uint8_t> Redrawn; ///< arcs that EmbedArcs drew anew; empty if none
+  std::vector<std::uint8_t> Redrawn; ///< arcs that EmbedArcs changed; empty if none
   Index Nodes = 0;
   Index Components = 0;
 

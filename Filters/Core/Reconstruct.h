@@ -19,7 +19,7 @@ namespace orthoslices
 /// What happens to contours that cross themselves or another one of their slice.
 enum class CrossingContours
 {
-  Repair,  ///< kept; EmbedArcs draws and connects their arcs anew where they cross
+  Repair,  ///< kept; EmbedArcs takes their arcs apart where they cross
   Refuse,  ///< no surface if there are any
   LeaveOut ///< removed
 };
@@ -93,7 +93,7 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  *   PairNodePoints      crossings on one edge -> node points                     (section 4.2)
  *   BuildNodeGraph      node points and arcs: graph G, components                (section 4.1)
  *   MeasureAgreement    disagreement of contours and slices: the report          (our own)
- *   EmbedArcs           arcs that cross on a face of M are drawn anew            (our own)
+ *   EmbedArcs           arcs that cross on a face of M are taken apart            (our own)
  *   TraceCycles         cycles of G in each cell: spatial polygons               (section 4.3)
  *   LocateCentralPoints central point of each polygon                            (section 5)
  *   SeparatePatches     patches that cross within a cell become shells           (our own)
@@ -131,7 +131,7 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  * their cycle only. So patches of different cells meet in shared arcs only. A cell is convex: the
  * fan of a cycle around a point strictly inside cannot touch itself. Several patches of one cell
  * are kept apart by SeparatePatches. Where arcs lie so close together that rounding could spoil
- * that, they are drawn anew.
+ * that, they are drawn anew, farther apart.
  */
 Reconstruction Reconstruct(
   std::array<Pieces, 3>&& pieces, const Options& options, const Execution& execution);

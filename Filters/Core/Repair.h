@@ -13,15 +13,16 @@ enum class RepairKind
 {
   VertexRelabelled = 3, ///< a slice was overruled on whether a vertex of M is inside
   CrossingsSnipped = 4, ///< two crossings that the other slice does not have were taken out
-  ArcsRedrawn = 5,      ///< arcs that crossed or touched on a face of M were drawn anew
+  ArcsRedrawn = 5,      ///< arcs that touched on a face of M were drawn anew
   ArcsReconnected = 6,  ///< the same, and their ends were joined in another way
-  PatchesSeparated = 7  ///< patches that crossed within a cell became shells
+  PatchesSeparated = 7, ///< patches that crossed within a cell became shells
+  ArcsUncrossed = 8     ///< arcs that crossed on a face of M pass their vertices in another order
 };
 
 /**
  * A repair and its place. Size, in world units: distance from the vertex to the overruled slice's
  * nearest crossing (plane spacing if there is none); distance of the two crossings; length of the
- * new arcs; length of the border of the patch.
+ * new arcs (twice); length of the border of the patch; by how much the arcs became shorter.
  */
 struct Repair
 {

@@ -30,10 +30,11 @@ struct Stages
     this->Run();
   }
 
-  explicit Stages(const Input& input)
+  /// With `shells`, all arcs are drawn anew.
+  explicit Stages(const Input& input, bool shells = false)
   {
     this->Set = UsableContours(input.Sets, input.Settings, this->Grid);
-    this->Run();
+    this->Run(shells);
   }
 
   GridEdge EdgeOf(Index crossing) const
@@ -56,7 +57,7 @@ struct Stages
   Cycles Polygons;
 
 private:
-  void Run()
+  void Run(bool shells = false)
   {
     const Execution execution;
     this->Registered = RegisterCrossings(this->Set, this->Grid, execution, this->Isolated);
@@ -66,7 +67,13 @@ private:
     this->Nodes = PairNodePoints(this->Grid, this->Lattice, this->Edges);
     this->Graph =
       BuildNodeGraph(this->Set, this->Grid, this->Lattice, this->Nodes, Tolerance, execution);
-    this->Redrawn = EmbedArcs(this->Grid, this->Nodes, execution, this->Lattice, this->Graph);
+    std::vector<Index> forced;
+    for (Index arc = 0; shells && arc < this->Lattice.Count(); ++arc)
+    {
+      forced.push_back(arc);
+    }
+    this->Redrawn =
+      EmbedArcs(this->Grid, this->Nodes, execution, this->Lattice, this->Graph, forced);
     FindComponents(this->Lattice, this->Nodes, this->Graph);
     this->Polygons = TraceCycles(this->Grid, this->Lattice, this->Nodes);
   }

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesFaceArcs_h
+#define OrthoSlicesFaceArcs_h
+
+#include "NodeGraph.h"
+#include "Predicates.h"
+
+namespace orthoslices
+{
+/// A face of M: the rectangle between its four grid lines, on a slice.
+struct Face
+{
+  int Axis;
+  Index Plane;
+  std::array<Index, 2> Slab; ///< along FirstAxis and SecondAxis
+};
+
+/// The arcs of one face.
+struct FaceArcs
+{
+  orthoslices::Face Face;
+  const Index* First;
+  const Index* Last;
+
+  Index Count() const { return static_cast<Index>(this->Last - this->First); }
+  const Index* begin() const { return this->First; }
+  const Index* end() const { return this->Last; }
+};
+
+/// All arcs that are not removed, ordered by face, and where each face begins.
+struct ArcsByFace
+{
+  std::vector<Index> Arcs;
+  std::vector<Index> Offsets{ 0 };
+  std::vector<orthoslices::Face> Faces;
+
+  Index Count() const { return static_cast<Index>(this->Faces.size()); }
+  FaceArcs operator[](Index face) const
+  {
+    return { this->Faces[face], this->Arcs.data() + this->Offsets[face],
+      this->Arcs.data() + this->Offsets[face + 1] };
+  }
+};
+
+ArcsByFace GroupArcsByFace(
+  const SpatialGrid& grid, const Crossings& crossings, const Execution& execution);
+
+/// Arcs that get other points, those of a face together, and the repair that this is.
+struct Drawing
+{
+  std::vector<Index> Arc;
+  std::vector<std::size_t> Offsets{ 0 };
+  std::vector<Point3> Points;
+  Repair What{};
+};
+
+/// What the arcs look like now. The arcs of different faces may be used at the same time.
+struct ArcGeometry
+{
+  const SpatialGrid& Grid;
+  const NodePoints& Nodes;
+  Crossings& Lattice;
+  NodeGraph& Graph;
+
+  Index StartNode(Index arc) const { return this->Nodes.NodeOf[arc]; }
+  Index EndNode(Index arc) const { return this->Nodes.NodeOf[this->Lattice.Next[arc]]; }
+
+  /// A point of G in the axes of the face.
+  Point2 InPlane(const Face& face, Index point) const
+  {
+    const double* p = this->Graph.Points.data() + 3 * static_cast<std::size_t>(point);
+    return { p[FirstAxis(face.Axis)], p[SecondAxis(face.Axis)] };
+  }
+  Point3 InSpace(const Face& face, const Point2& p) const
+  {
+    Point3 point;
+    point[face.Axis] = this->Grid.Planes[face.Axis][face.Plane];
+    point[FirstAxis(face.Axis)] = p[0];
+    point[SecondAxis(face.Axis)] = p[1];
+    return point;
+  }
+
+  /// Calls visit(point of G) from the first to the last point of an arc, nodes included.
+  template <typename Visit>
+  void VisitPoints(Index arc, Visit&& visit) const
+  {
+    visit(this->StartNode(arc));
+    const Index first = this->Graph.FirstPoint(arc);
+    const Index count = this->Graph.PointCount(arc);
+    for (Index i = 0; i < count; ++i)
+    {
+      visit(first + i);
+    }
+    visit(this->EndNode(arc));
+  }
+
+  /// Lets an arc lead to another crossing. All arcs of a face must be joined again.
+  void Join(Index arc, Index stop) const
+  {
+    this->Lattice.Next[arc] = stop;
+    this->Lattice.Previous[stop] = arc;
+  }
+};
+
+/**
+ * The edge of its face on which the start or the end of an arc lies, counter-clockwise from the
+ * lower one: 0 and 2 are those along FirstAxis, 1 and 3 along SecondAxis.
+ */
+int BorderEdge(const Crossings& crossings, Index crossing, bool isStart);
+}
+
+#endif

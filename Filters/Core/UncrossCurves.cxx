@@ -1,0 +1,344 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "UncrossCurves.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthoslices
+{
+namespace
+{
+/// Pairs compared and vertices moved for each vertex before we give up.
+constexpr std::size_t MostWorkPerVertex = 1 << 12;
+/// Contacts for each vertex that are listed before the first of them are dealt with.
+constexpr std::size_t MostContactsPerVertex = 16;
+
+double Distance(const Point2& a, const Point2& b)
+{
+  return std::hypot(b[0] - a[0], b[1] - a[1]);
+}
+
+/// The segment from a vertex to the next one of its curve.
+struct Segment
+{
+  Index Start, End;
+  Point2 Low, High;
+};
+
+/// Two segments that cross, or that touch until the vertex Remove (None: it cannot be) is left out.
+struct Contact
+{
+  double Gain; ///< by how much the move makes the curves shorter
+  std::array<Index, 2> First, Second;
+  bool Cross;
+  Index Remove;
+};
+
+class Untangler
+{
+public:
+  explicit Untangler(PlanarCurves& curves);
+  Uncrossing Run();
+
+private:
+  static constexpr Index None = -1;
+
+  const Point2& At(Index vertex) const { return this->Set.Vertices[vertex]; }
+  bool IsEnd(Index vertex) const;
+  bool AreNeighbours(const std::array<Index, 2>& pair) const;
+  void Renumber(Index curve, std::size_t first);
+
+  std::vector<Segment> ListSegments() const;
+  bool FindContacts();
+  void Compare(const Segment& a, const Segment& b);
+  void AddFold(const Segment& a, const Segment& b);
+  void AddTouch(const Segment& a, const Segment& b);
+  double GainOf(const Segment& a, const Segment& b) const;
+  double GainOfRemoving(Index vertex) const;
+
+  bool Apply(const Contact& contact);
+  void Uncross(const std::array<Index, 2>& first, const std::array<Index, 2>& second);
+  void Remove(Index vertex);
+  double Length() const;
+
+  PlanarCurves& Set;
+  std::vector<Index> Curve, Place; ///< of each vertex; Curve is None for those left out
+  std::vector<Contact> Contacts;
+  std::size_t Work = 0;
+  Uncrossing Result;
+};
+
+Untangler::Untangler(PlanarCurves& curves)
+  : Set(curves)
+  , Curve(curves.Vertices.size(), None)
+  , Place(curves.Vertices.size(), 0)
+{
+  for (std::size_t curve = 0; curve < this->Set.Curves.size(); ++curve)
+  {
+    this->Renumber(static_cast<Index>(curve), 0);
+  }
+}
+
+void Untangler::Renumber(Index curve, std::size_t first)
+{
+  const std::vector<Index>& vertices = this->Set.Curves[curve];
+  for (std::size_t i = first; i < vertices.size(); ++i)
+  {
+    this->Curve[vertices[i]] = curve;
+    this->Place[vertices[i]] = static_cast<Index>(i);
+  }
+  this->Work += vertices.size() - std::min(first, vertices.size());
+}
+
+bool Untangler::IsEnd(Index vertex) const
+{
+  const std::vector<Index>& curve = this->Set.Curves[this->Curve[vertex]];
+  return curve.front() == vertex || curve.back() == vertex;
+}
+
+bool Untangler::AreNeighbours(const std::array<Index, 2>& pair) const
+{
+  return this->Curve[pair[0]] != None && this->Curve[pair[0]] == this->Curve[pair[1]] &&
+    std::abs(this->Place[pair[0]] - this->Place[pair[1]]) == 1;
+}
+
+std::vector<Segment> Untangler::ListSegments() const
+{
+  std::vector<Segment> segments;
+  for (const std::vector<Index>& curve : this->Set.Curves)
+  {
+    for (std::size_t i = 1; i < curve.size(); ++i)
+    {
+      const Point2& p = this->At(curve[i - 1]);
+      const Point2& q = this->At(curve[i]);
+      segments.push_back({ curve[i - 1], curve[i],
+        { std::min(p[0], q[0]), std::min(p[1], q[1]) },
+        { std::max(p[0], q[0]), std::max(p[1], q[1]) } });
+    }
+  }
+  return segments;
+}
+
+/// False if that would take too long.
+bool Untangler::FindContacts()
+{
+  this->Contacts.clear();
+  std::vector<Segment> segments = this->ListSegments();
+  std::sort(segments.begin(), segments.end(),
+    [](const Segment& a, const Segment& b)
+    { return a.Low[0] != b.Low[0] ? a.Low[0] < b.Low[0] : a.Start < b.Start; });
+  const std::size_t mostWork = MostWorkPerVertex * this->Set.Vertices.size();
+  const std::size_t mostContacts = MostContactsPerVertex * this->Set.Vertices.size();
+  for (std::size_t i = 0; i < segments.size() && this->Contacts.size() <= mostContacts; ++i)
+  {
+    const Segment& a = segments[i];
+    for (std::size_t j = i + 1; j < segments.size() && segments[j].Low[0] <= a.High[0]; ++j)
+    {
+      const Segment& b = segments[j];
+      ++this->Work;
+      if (b.Low[1] <= a.High[1] && a.Low[1] <= b.High[1])
+      {
+        this->Compare(a, b);
+      }
+    }
+    if (this->Work > mostWork)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void Untangler::Compare(const Segment& a, const Segment& b)
+{
+  if (a.End == b.Start || b.End == a.Start)
+  {
+    a.End == b.Start ? this->AddFold(a, b) : this->AddFold(b, a);
+    return;
+  }
+  const Point2& p = this->At(a.Start);
+  const Point2& q = this->At(a.End);
+  const Point2& r = this->At(b.Start);
+  const Point2& s = this->At(b.End);
+  const int acrossA = SideOf(p, q, r) * SideOf(p, q, s);
+  const int acrossB = SideOf(r, s, p) * SideOf(r, s, q);
+  if (acrossA > 0 || acrossB > 0)
+  {
+    return;
+  }
+  if (acrossA < 0 && acrossB < 0)
+  {
+    this->Contacts.push_back(
+      { this->GainOf(a, b), { a.Start, a.End }, { b.Start, b.End }, true, None });
+    return;
+  }
+  this->AddTouch(a, b);
+}
+
+/// Consecutive segments touch beyond their common vertex if the second runs back along the first.
+void Untangler::AddFold(const Segment& a, const Segment& b)
+{
+  const Point2& p = this->At(a.Start);
+  const Point2& q = this->At(a.End);
+  const Point2& r = this->At(b.End);
+  const double dot = (q[0] - p[0]) * (r[0] - q[0]) + (q[1] - p[1]) * (r[1] - q[1]);
+  if (dot <= 0.0 && SideOf(p, q, r) == 0)
+  {
+    this->Contacts.push_back(
+      { this->GainOfRemoving(a.End), { a.Start, a.End }, { b.Start, b.End }, false, a.End });
+  }
+}
+
+/// Whether a point on the line of a segment lies on the segment.
+bool IsWithin(const Segment& segment, const Point2& p)
+{
+  return segment.Low[0] <= p[0] && p[0] <= segment.High[0] && segment.Low[1] <= p[1] &&
+    p[1] <= segment.High[1];
+}
+
+/// An end of one segment lies on the other one: what is no end of a curve can be left out.
+void Untangler::AddTouch(const Segment& a, const Segment& b)
+{
+  Index best = None;
+  bool touch = false;
+  const auto consider = [&](const Segment& segment, Index vertex)
+  {
+    const Point2& p = this->At(vertex);
+    if (SideOf(this->At(segment.Start), this->At(segment.End), p) != 0 || !IsWithin(segment, p))
+    {
+      return;
+    }
+    touch = true;
+    const bool better = !this->IsEnd(vertex) &&
+      (best == None || this->GainOfRemoving(vertex) > this->GainOfRemoving(best));
+    best = better ? vertex : best;
+  };
+  consider(a, b.Start);
+  consider(a, b.End);
+  consider(b, a.Start);
+  consider(b, a.End);
+  if (touch)
+  {
+    const double gain = best == None ? 0.0 : this->GainOfRemoving(best);
+    this->Contacts.push_back({ gain, { a.Start, a.End }, { b.Start, b.End }, false, best });
+  }
+}
+
+double Untangler::GainOf(const Segment& a, const Segment& b) const
+{
+  const double before =
+    Distance(this->At(a.Start), this->At(a.End)) + Distance(this->At(b.Start), this->At(b.End));
+  const bool same = this->Curve[a.Start] == this->Curve[b.Start];
+  const Index afterA = same ? b.Start : b.End;
+  const Index beforeB = same ? b.End : b.Start;
+  return before - Distance(this->At(a.Start), this->At(afterA)) -
+    Distance(this->At(a.End), this->At(beforeB));
+}
+
+double Untangler::GainOfRemoving(Index vertex) const
+{
+  const std::vector<Index>& curve = this->Set.Curves[this->Curve[vertex]];
+  const Point2& before = this->At(curve[this->Place[vertex] - 1]);
+  const Point2& after = this->At(curve[this->Place[vertex] + 1]);
+  return Distance(before, this->At(vertex)) + Distance(this->At(vertex), after) -
+    Distance(before, after);
+}
+
+void Untangler::Uncross(const std::array<Index, 2>& first, const std::array<Index, 2>& second)
+{
+  const auto inOrder = [this](const std::array<Index, 2>& pair)
+  { return std::min(this->Place[pair[0]], this->Place[pair[1]]) + 1; };
+  const Index i = inOrder(first);
+  const Index j = inOrder(second);
+  const Index one = this->Curve[first[0]];
+  const Index other = this->Curve[second[0]];
+  std::vector<Index>& a = this->Set.Curves[one];
+  if (one == other)
+  {
+    std::reverse(a.begin() + std::min(i, j), a.begin() + std::max(i, j));
+    this->Renumber(one, std::min(i, j));
+    return;
+  }
+  std::vector<Index>& b = this->Set.Curves[other];
+  const std::vector<Index> tail(a.begin() + i, a.end());
+  a.resize(i);
+  a.insert(a.end(), b.begin() + j, b.end());
+  b.resize(j);
+  b.insert(b.end(), tail.begin(), tail.end());
+  this->Renumber(one, i);
+  this->Renumber(other, j);
+}
+
+void Untangler::Remove(Index vertex)
+{
+  const Index curve = this->Curve[vertex];
+  const Index place = this->Place[vertex];
+  std::vector<Index>& vertices = this->Set.Curves[curve];
+  vertices.erase(vertices.begin() + place);
+  this->Curve[vertex] = None;
+  this->Renumber(curve, place);
+}
+
+double Untangler::Length() const
+{
+  double length = 0.0;
+  for (const std::vector<Index>& curve : this->Set.Curves)
+  {
+    for (std::size_t i = 1; i < curve.size(); ++i)
+    {
+      length += Distance(this->At(curve[i - 1]), this->At(curve[i]));
+    }
+  }
+  return length;
+}
+
+/// Does nothing if one of the segments is no more, or if nothing helps.
+bool Untangler::Apply(const Contact& contact)
+{
+  if (!this->AreNeighbours(contact.First) || !this->AreNeighbours(contact.Second) ||
+    (!contact.Cross && contact.Remove == None))
+  {
+    return false;
+  }
+  if (this->Result.Changes == 0)
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      this->Result.Where[i] = this->At(contact.First[0])[i] +
+        0.5 * (this->At(contact.Second[0])[i] - this->At(contact.First[0])[i]);
+    }
+  }
+  ++this->Result.Changes;
+  contact.Cross ? this->Uncross(contact.First, contact.Second) : this->Remove(contact.Remove);
+  return true;
+}
+
+Uncrossing Untangler::Run()
+{
+  const double length = this->Length();
+  while (this->FindContacts())
+  {
+    std::stable_sort(this->Contacts.begin(), this->Contacts.end(),
+      [](const Contact& a, const Contact& b) { return a.Gain > b.Gain; });
+    Index applied = 0;
+    for (const Contact& contact : this->Contacts)
+    {
+      applied += this->Apply(contact) ? 1 : 0;
+    }
+    if (applied == 0)
+    {
+      this->Result.Simple = this->Contacts.empty();
+      break;
+    }
+  }
+  this->Result.Shortening = length - this->Length();
+  return this->Result;
+}
+}
+
+Uncrossing UncrossCurves(PlanarCurves& curves)
+{
+  return Untangler(curves).Run();
+}
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesUncrossCurves_h
+#define OrthoSlicesUncrossCurves_h
+
+#include "Predicates.h"
+
+namespace orthoslices
+{
+/// Polylines in a plane: each lists the numbers of its vertices, and no two share one.
+struct PlanarCurves
+{
+  std::vector<Point2> Vertices;
+  std::vector<std::vector<Index>> Curves;
+};
+
+/// Outcome of UncrossCurves.
+struct Uncrossing
+{
+  bool Simple = false;   ///< no curve touches itself or another one now
+  Index Changes = 0;     ///< pairs of segments that were taken apart
+  Point2 Where{ 0, 0 };  ///< the middle of the first pair
+  double Shortening = 0; ///< of all curves together
+};
+
+/**
+ * Takes curves apart that cross themselves or each other, by the 2-opt move of the travelling
+ * salesman heuristics (G. A. Croes, "A Method for Solving Traveling-Salesman Problems", 1958).
+ *
+ * Where two segments ab and cd of one curve cross, the part between them is passed the other way
+ * (ac, bd); where they belong to two curves, these exchange what follows (ad, cb). No vertex moves
+ * or is lost, starts stay starts and ends stay ends, and every move makes the curves shorter, so
+ * that it comes to an end. A vertex that lies on another segment, or at which a curve folds back
+ * on itself, is left out, but for the first and the last one of a curve.
+ *
+ * The moves that shorten most come first, so that the result does not depend on the directions of
+ * the axes. Gives up, with Simple unset, when two ends of curves touch or when the work is much
+ * more than the number of vertices accounts for.
+ */
+Uncrossing UncrossCurves(PlanarCurves& curves);
+}
+
+#endif

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/UncrossCurves.h"
+
+#include "Fuzz/CheckEmbedding.h"
+#include "Support/Random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+PlanarCurves MakeCurves(const std::vector<std::vector<Point2>>& curves)
+{
+  PlanarCurves set;
+  for (const std::vector<Point2>& curve : curves)
+  {
+    set.Curves.emplace_back(curve.size());
+    std::iota(
+      set.Curves.back().begin(), set.Curves.back().end(), static_cast<Index>(set.Vertices.size()));
+    set.Vertices.insert(set.Vertices.end(), curve.begin(), curve.end());
+  }
+  return set;
+}
+
+Point3 Lift(const PlanarCurves& set, Index vertex)
+{
+  return { set.Vertices[vertex][0], set.Vertices[vertex][1], 0.0 };
+}
+
+/// Compares all segments with each other, by the tests' own predicates.
+bool DoMeet(const PlanarCurves& set)
+{
+  for (std::size_t a = 0; a < set.Curves.size(); ++a)
+  {
+    const std::vector<Index>& p = set.Curves[a];
+    for (std::size_t i = 0; i + 1 < p.size(); ++i)
+    {
+      for (std::size_t b = a; b < set.Curves.size(); ++b)
+      {
+        const std::vector<Index>& q = set.Curves[b];
+        for (std::size_t j = a == b ? i + 2 : 0; j + 1 < q.size(); ++j)
+        {
+          if (SegmentsMeet(Lift(set, p[i]), Lift(set, p[i + 1]), Lift(set, q[j]),
+                Lift(set, q[j + 1]), 2))
+          {
+            return true;
+          }
+        }
+      }
+    }
+  }
+  return false;
+}
+
+std::size_t CountVertices(const PlanarCurves& set)
+{
+  std::vector<Index> all;
+  for (const std::vector<Index>& curve : set.Curves)
+  {
+    all.insert(all.end(), curve.begin(), curve.end());
+  }
+  std::sort(all.begin(), all.end());
+  EXPECT_EQ(std::adjacent_find(all.begin(), all.end()), all.end());
+  return all.size();
+}
+
+double Length(const PlanarCurves& set)
+{
+  double length = 0.0;
+  for (const std::vector<Index>& curve : set.Curves)
+  {
+    for (std::size_t i = 1; i < curve.size(); ++i)
+    {
+      const Point2& p = set.Vertices[curve[i - 1]];
+      const Point2& q = set.Vertices[curve[i]];
+      length += std::hypot(q[0] - p[0], q[1] - p[1]);
+    }
+  }
+  return length;
+}
+}
+
+//----------------------------------------------------------------------------
+TEST(UncrossCurves, LeavesCurvesThatDoNotTouch)
+{
+  PlanarCurves set = MakeCurves({ { { 0, 0 }, { 1, 1 }, { 2, 0 } }, { { 0, 1 }, { 1, 2 }, { 2, 1 } } });
+  const auto before = set.Curves;
+  const Uncrossing outcome = UncrossCurves(set);
+  EXPECT_TRUE(outcome.Simple);
+  EXPECT_EQ(outcome.Changes, 0);
+  EXPECT_EQ(outcome.Shortening, 0.0);
+  EXPECT_EQ(set.Curves, before);
+}
+
+//----------------------------------------------------------------------------
+TEST(UncrossCurves, PassesALoopTheOtherWay)
+{
+  PlanarCurves set = MakeCurves({ { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, -1 }, { 0, -1 } } });
+  const Uncrossing outcome = UncrossCurves(set);
+  EXPECT_TRUE(outcome.Simple);
+  EXPECT_EQ(outcome.Changes, 1);
+  EXPECT_EQ(set.Curves[0], std::vector<Index>({ 0, 3, 2, 1, 4, 5 }));
+  EXPECT_NEAR(outcome.Shortening, 4.0 - 2.0 * std::sqrt(2.0), 1e-15);
+}
+
+//----------------------------------------------------------------------------
+TEST(UncrossCurves, KeepsTheTipOfAHairpinWhoseSidesCrossTwice)
+{
+  PlanarCurves set = MakeCurves({ { { 0, 1 }, { 2, -1 }, { 4, -1 }, { 6, 1 }, { 8, 0 }, { 6, -1 },
+    { 4, 1 }, { 2, 1 }, { 0, -1 } } });
+  EXPECT_TRUE(UncrossCurves(set).Simple);
+  EXPECT_EQ(set.Curves[0], std::vector<Index>({ 0, 7, 6, 3, 4, 5, 2, 1, 8 }));
+}
+
+//----------------------------------------------------------------------------
+TEST(UncrossCurves, ExchangesTheRestsOfTwoCurves)
+{
+  PlanarCurves set = MakeCurves({ { { 0, 0 }, { 2, 2 } }, { { 0, 2 }, { 2, 0 } } });
+  EXPECT_TRUE(UncrossCurves(set).Simple);
+  EXPECT_EQ(set.Curves[0], std::vector<Index>({ 0, 3 }));
+  EXPECT_EQ(set.Curves[1], std::vector<Index>({ 2, 1 }));
+}
+
+//----------------------------------------------------------------------------
+TEST(UncrossCurves, LeavesOutVerticesThatTouch)
+{
+  // The vertex of one curve on the other; a fold; a copy.
+  for (const auto& curves : std::vector<std::vector<std::vector<Point2>>>{
+         { { { 0, 0 }, { 4, 0 } }, { { 0, 1 }, { 2, 0 }, { 4, 1 } } },
+         { { { 0, 0 }, { 3, 0 }, { 2, 0 }, { 2, 1 } } },
+         { { { 0, 0 }, { 1, 1 }, { 1, 1 }, { 2, 0 } } } })
+  {
+    PlanarCurves set = MakeCurves(curves);
+    const std::size_t before = CountVertices(set);
+    EXPECT_TRUE(UncrossCurves(set).Simple);
+    EXPECT_EQ(CountVertices(set), before - 1);
+    EXPECT_FALSE(DoMeet(set));
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(UncrossCurves, GivesUpWhereEndsTouch)
+{
+  PlanarCurves set = MakeCurves({ { { 0, 0 }, { 2, 0 } }, { { 1, 0 }, { 2, 1 } } });
+  EXPECT_FALSE(UncrossCurves(set).Simple);
+}
+
+//----------------------------------------------------------------------------
+TEST(UncrossCurves, GivesUpInTime)
+{
+  // Much worse than any noise: 8000 vertices all over the place.
+  Random random(1);
+  std::vector<Point2> scribble(8000);
+  for (Point2& p : scribble)
+  {
+    p = { random.Uniform(0.0, 1.0), random.Uniform(0.0, 1.0) };
+  }
+  PlanarCurves set = MakeCurves({ scribble });
+  EXPECT_FALSE(UncrossCurves(set).Simple);
+}
+
+//----------------------------------------------------------------------------
+/// On a coarse lattice vertices coincide and segments overlap as often as they cross.
+TEST(UncrossCurves, TakesApartWhatever)
+{
+  for (const double step : { 0.0, 0.125 })
+  {
+    for (int run = 0; run < 200; ++run)
+    {
+      Random random(run);
+      std::vector<std::vector<Point2>> curves(1 + run % 4);
+      for (std::size_t i = 0; i < curves.size(); ++i)
+      {
+        // Starts and ends on the left and right border, apart from each other.
+        curves[i].push_back({ -1.0, static_cast<double>(i) });
+        for (int k = 0; k < 5 + run % 50; ++k)
+        {
+          Point2 p{ random.Uniform(0.0, 3.0), random.Uniform(0.0, 3.0) };
+          for (double& x : p)
+          {
+            x = step > 0.0 ? step * std::round(x / step) : x;
+          }
+          curves[i].push_back(p);
+        }
+        curves[i].push_back({ 4.0, static_cast<double>(random.Uniform(0.0, 1.0) + i) });
+      }
+      PlanarCurves set = MakeCurves(curves);
+      const std::size_t vertices = CountVertices(set);
+      const double length = Length(set);
+      const Uncrossing outcome = UncrossCurves(set);
+      ASSERT_TRUE(outcome.Simple) << "run " << run;
+      EXPECT_FALSE(DoMeet(set)) << "run " << run;
+      EXPECT_NEAR(outcome.Shortening, length - Length(set), 1e-9);
+      EXPECT_TRUE(outcome.Changes == 0 || outcome.Shortening > 0.0);
+      EXPECT_TRUE(step > 0.0 || CountVertices(set) == vertices);
+    }
+  }
+}
