@@ -39,6 +39,10 @@ public:
 
   void AddProduct(double x, double y)
   {
+    if (x == 0.0 || y == 0.0)
+    {
+      return;
+    }
     const double product = x * y;
     this->Add(std::fma(x, y, -product));
     this->Add(product);
@@ -202,11 +206,22 @@ bool MeetInPlane(const Point3& p, const Point3& q, const Corners& t)
   return inside;
 }
 
-/// Whether the closed segment and the closed triangle (with an area) have a point in common.
-bool SegmentMeetsTriangle(const Point3& p, const Point3& q, const Corners& t)
+/// On which sides of the triangle's plane the corners of another one lie.
+std::array<int, 3> SidesOf(const Corners& s, const Corners& t)
 {
-  const int sideP = ExactOrientation(t[0], t[1], t[2], p);
-  const int sideQ = ExactOrientation(t[0], t[1], t[2], q);
+  return { ExactOrientation(t[0], t[1], t[2], s[0]), ExactOrientation(t[0], t[1], t[2], s[1]),
+    ExactOrientation(t[0], t[1], t[2], s[2]) };
+}
+
+bool AreAllOnOneSide(const std::array<int, 3>& sides)
+{
+  return std::abs(sides[0] + sides[1] + sides[2]) == 3;
+}
+
+/// Whether the closed segment and the closed triangle (with an area) have a point in common; with
+/// the sides of its plane on which the segment's ends lie.
+bool SegmentMeetsTriangle(const Point3& p, int sideP, const Point3& q, int sideQ, const Corners& t)
+{
   if (sideP * sideQ > 0)
   {
     return false;
@@ -226,10 +241,16 @@ bool SegmentMeetsTriangle(const Point3& p, const Point3& q, const Corners& t)
   return least >= 0 || most <= 0;
 }
 
-bool AnyEdgeMeets(const Corners& s, const Corners& t)
+/// Whether the edge from corner i of the first triangle meets the second.
+bool EdgeMeets(const Corners& s, const std::array<int, 3>& sides, std::size_t i, const Corners& t)
 {
-  return SegmentMeetsTriangle(s[0], s[1], t) || SegmentMeetsTriangle(s[1], s[2], t) ||
-    SegmentMeetsTriangle(s[2], s[0], t);
+  const std::size_t j = (i + 1) % 3;
+  return SegmentMeetsTriangle(s[i], sides[i], s[j], sides[j], t);
+}
+
+bool AnyEdgeMeets(const Corners& s, const std::array<int, 3>& sides, const Corners& t)
+{
+  return EdgeMeets(s, sides, 0, t) || EdgeMeets(s, sides, 1, t) || EdgeMeets(s, sides, 2, t);
 }
 
 /// Triangles abc and abd: they overlap if they lie in one plane on the same side of ab.
@@ -321,18 +342,26 @@ bool MeetingFinder::Meet(std::int64_t first, std::int64_t second) const
     }
   }
   const Corners s = this->CornersOf(ids), t = this->CornersOf(others);
-  switch (common)
+  if (common >= 2)
   {
-    case 0:
-      return AnyEdgeMeets(s, t) || AnyEdgeMeets(t, s);
-    case 1:
-      // What they have in common is convex: more than the corner reaches an opposite side.
-      return SegmentMeetsTriangle(s[1], s[2], t) || SegmentMeetsTriangle(t[1], t[2], s);
-    case 2:
-      return OverlapAtEdge(s[0], s[1], s[2], t[2]);
-    default:
-      return true;
+    return common == 3 || OverlapAtEdge(s[0], s[1], s[2], t[2]);
   }
+  const std::array<int, 3> sidesOfS = SidesOf(s, t);
+  if (AreAllOnOneSide(sidesOfS))
+  {
+    return false;
+  }
+  const std::array<int, 3> sidesOfT = SidesOf(t, s);
+  if (AreAllOnOneSide(sidesOfT))
+  {
+    return false;
+  }
+  if (common == 0)
+  {
+    return AnyEdgeMeets(s, sidesOfS, t) || AnyEdgeMeets(t, sidesOfT, s);
+  }
+  // What they have in common is convex: more than the corner reaches an opposite side.
+  return EdgeMeets(s, sidesOfS, 1, t) || EdgeMeets(t, sidesOfT, 1, s);
 }
 
 std::vector<Meeting> MeetingFinder::Find(std::size_t most)
