@@ -34,6 +34,12 @@ install_dependencies()
     openmpi-bin paraview paraview-dev python3-paraview libtbb-dev libglew-dev libfreetype-dev xvfb xauth
 }
 
+# The fuzzer: clang with its runtime libraries, among them libFuzzer.
+install_fuzzer()
+{
+  install_packages clang libclang-rt-14-dev
+}
+
 # Plain VTK in the folder $1. Debian refuses to install it beside ParaView's Python, so its packages
 # are unpacked there.
 unpack_vtk()
