@@ -115,7 +115,7 @@ void GraphWriter::AddNodes()
   {
     this->Verts->InsertNextCell(1, &node);
     const Index index = static_cast<Index>(node);
-    const double disagreement = NodeDisagreement(this->Result.Lattice, this->Result.Nodes, index);
+    const double disagreement = this->Result.Nodes.Disagreement(index);
     this->AddRow({ NodeKind, disagreement, -1, -1, 0.0, this->Result.Graph.Component[index], 0.0 });
   }
 }

@@ -157,13 +157,14 @@ std::vector<unsigned char> FindRepairs(const Reconstruction& result, double tole
 {
   const Cycles& polygons = result.Polygons;
   std::vector<unsigned char> repairs(polygons.Count(), 0);
-  for (Index i = 0; i < polygons.Count(); ++i)
+  const bool any = CountDisagreements(result, tolerance) > 0 || !result.Graph.Redrawn.empty();
+  for (Index i = 0; any && i < polygons.Count(); ++i)
   {
     for (Index a = polygons.Offsets[i]; a < polygons.Offsets[i + 1]; ++a)
     {
       const HalfArc& half = polygons.Arcs[a];
       const Index node = StartNode(result.Lattice, result.Nodes, half);
-      repairs[i] |= NodeDisagreement(result.Lattice, result.Nodes, node) > tolerance ? 1 : 0;
+      repairs[i] |= result.Nodes.Disagreement(node) > tolerance ? 1 : 0;
       repairs[i] |= !result.Graph.Redrawn.empty() && result.Graph.Redrawn[half.Arc] != 0 ? 2 : 0;
     }
   }
@@ -181,7 +182,7 @@ void AddDisagreement(const Reconstruction& result, vtkIdType points, vtkPointDat
   std::fill(out, out + points, 0.0f);
   for (Index node = 0; node < result.Graph.Nodes; ++node)
   {
-    out[node] = static_cast<float>(NodeDisagreement(result.Lattice, result.Nodes, node));
+    out[node] = static_cast<float>(result.Nodes.Disagreement(node));
   }
 }
 
@@ -301,8 +302,7 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
     vtkIdType(result.ContourCount[0]) + result.ContourCount[1] + result.ContourCount[2]);
   add("NumberOfIsolatedContours", result.Isolated.Count());
   add("NumberOfNodePoints", result.Graph.Nodes);
-  add("NumberOfCellsWithSeveralCycles",
-    static_cast<vtkIdType>(GroupByCell(result.Grid, result.Polygons).Several.size()));
+  add("NumberOfCellsWithSeveralCycles", result.SharedCells);
   add("NumberOfReconciledVertices", result.Reconciled.Vertices);
   add("NumberOfReconciledEdges", result.Reconciled.Edges);
   add("NumberOfRepairs", static_cast<vtkIdType>(result.Repairs.size()));

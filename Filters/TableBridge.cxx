@@ -88,6 +88,8 @@ void WriteSliceTable(const Reconstruction& result, vtkTable* table)
   auto* planes = AddColumn<vtkIntArray>(table, "SlicePlane");
   auto* coordinate = AddColumn<vtkDoubleArray>(table, "PlaneCoordinate");
   AgreementColumns columns(table);
+  auto* overruled = AddColumn<vtkIdTypeArray>(table, "OverruledVertices");
+  auto* snipped = AddColumn<vtkIdTypeArray>(table, "SnippedCrossings");
   vtkDoubleArray* shift[3] = { AddColumn<vtkDoubleArray>(table, "ShiftX"),
     AddColumn<vtkDoubleArray>(table, "ShiftY"), AddColumn<vtkDoubleArray>(table, "ShiftZ") };
   for (int axis = 0; axis < 3; ++axis)
@@ -98,10 +100,25 @@ void WriteSliceTable(const Reconstruction& result, vtkTable* table)
       planes->InsertNextValue(plane);
       coordinate->InsertNextValue(result.Grid.Planes[axis][plane]);
       columns.Add(result.Agreement.OfPlane[axis][plane]);
+      overruled->InsertNextValue(0);
+      snipped->InsertNextValue(0);
       for (int i = 0; i < 3; ++i)
       {
         shift[i]->InsertNextValue(result.Agreement.Shift[axis][plane][i]);
       }
+    }
+  }
+  const Index firstRow[3] = { 0, result.Grid.Count(0),
+    result.Grid.Count(0) + result.Grid.Count(1) };
+  for (const Repair& repair : result.Repairs)
+  {
+    vtkIdTypeArray* column = repair.Kind == RepairKind::VertexRelabelled ? overruled
+      : repair.Kind == RepairKind::CrossingsSnipped                      ? snipped
+                                                                         : nullptr;
+    if (column != nullptr)
+    {
+      const vtkIdType row = firstRow[repair.Axis] + repair.Plane;
+      column->SetValue(row, column->GetValue(row) + (column == snipped ? 2 : 1));
     }
   }
 }

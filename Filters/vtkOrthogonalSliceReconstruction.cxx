@@ -92,6 +92,36 @@ std::string DescribeWorstSlice(const orthoslices::Reconstruction& result)
   return text.str();
 }
 
+/// The slice that lost most votes on whether a grid vertex is inside.
+std::string DescribeOverruledSlice(const orthoslices::Reconstruction& result)
+{
+  std::array<std::vector<int>, 3> count;
+  int worstAxis = 0;
+  int worstPlane = -1;
+  for (const orthoslices::Repair& repair : result.Repairs)
+  {
+    if (repair.Kind != orthoslices::RepairKind::VertexRelabelled)
+    {
+      continue;
+    }
+    count[repair.Axis].resize(result.Grid.Count(repair.Axis), 0);
+    ++count[repair.Axis][repair.Plane];
+    if (worstPlane < 0 || count[repair.Axis][repair.Plane] > count[worstAxis][worstPlane])
+    {
+      worstAxis = repair.Axis;
+      worstPlane = repair.Plane;
+    }
+  }
+  std::ostringstream text;
+  if (worstPlane >= 0)
+  {
+    text << " Most often overruled: the slice " << AxisNames[worstAxis] << " = "
+         << result.Grid.Planes[worstAxis][worstPlane] << ", at " << count[worstAxis][worstPlane]
+         << " grid vertices.";
+  }
+  return text.str();
+}
+
 /// What the user should know about a result that is closed all the same; empty if nothing.
 std::string ListDoubts(const orthoslices::Reconstruction& result, bool repaired, double tolerance)
 {
@@ -108,13 +138,25 @@ std::string ListDoubts(const orthoslices::Reconstruction& result, bool repaired,
          << (repaired ? "repaired:" : "left out:") << ListProblems(result.Crossing);
   }
   const orthoslices::Index disagreements = orthoslices::CountDisagreements(result, tolerance);
-  if (result.Reconciled.Vertices > 0 || result.Reconciled.Edges > 0 || disagreements > 0)
+  if (!result.Repairs.empty() || disagreements > 0)
   {
     text << "\nThe slices contradict each other at " << result.Reconciled.Vertices
          << " grid vertices and on " << result.Reconciled.Edges
          << " grid edges, where they were reconciled, and by more than " << tolerance << " at "
          << disagreements << " of " << result.Graph.Nodes << " node points."
-         << DescribeWorstSlice(result);
+         << DescribeWorstSlice(result) << DescribeOverruledSlice(result);
+  }
+  if (result.InsideOut)
+  {
+    text
+      << "\nThe contours run clockwise: the surface is inside out, as drawn. Reverse the contours,"
+         " or set Orientation to ByNesting.";
+  }
+  if (result.DoubtfulCycles > 0)
+  {
+    text << "\nPlanes lie so close together that " << result.DoubtfulCycles
+         << " patches between them may touch others. Use points in double precision, or a greater"
+            " PlaneTolerance.";
   }
   if (result.Isolated.Count() > 0)
   {
@@ -280,6 +322,7 @@ int vtkOrthogonalSliceReconstruction::RequestData(
     }
   }
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
+  orthoslices::RemoveSmallRepairs(reportTolerance, result.Repairs);
   const std::string doubts =
     ListDoubts(result, this->CrossingContours == REPAIR_CROSSING, reportTolerance);
   if (!doubts.empty())

@@ -45,8 +45,8 @@
  *  - point data "Disagreement" (float): at a node point, the distance of the two contours along
  *    the grid edge in world units; 0 at other points;
  *  - cell data "Repaired" (unsigned char): sum of 1 (a node point of the polygon disagrees by
- *    more than ReportTolerance), 2 (an arc was changed so that it crosses no other) and 4 (the patch was separated from
- *    another).
+ *    more than ReportTolerance), 2 (an arc was changed so that it crosses no other) and 4 (the
+ *    patch was separated from another).
  *
  * Port 1, the graph G and the repairs (vtkPolyData): one vertex cell for each node point, one for
  * each repair, then one polyline for each arc, then one closed polyline for each isolated contour
@@ -75,9 +75,10 @@
  * (double, world units).
  *
  * Port 4, the slices (vtkTable), one row for each plane: "SliceAxis", "SlicePlane" (int),
- * "PlaneCoordinate", "NodePoints", "RmsDisagreement", "MaxDisagreement" as above, and "ShiftX",
- * "ShiftY", "ShiftZ" (double): the translation within its plane that would bring the slice
- * closest to the others. A slice that was moved as a whole shows here.
+ * "PlaneCoordinate", "NodePoints", "RmsDisagreement", "MaxDisagreement" as above; of the repairs
+ * "OverruledVertices" (kind 3) and "SnippedCrossings" (two for each of kind 4) (vtkIdType); and
+ * "ShiftX", "ShiftY", "ShiftZ" (double): the translation within its plane that would bring the
+ * slice closest to the others. A slice that was moved as a whole shows here.
  *
  * In a parallel run the first process reconstructs the whole surface from the whole input; the
  * outputs of the others are empty.
@@ -151,7 +152,9 @@ public:
 
   ///@{
   /**
-   * How the interior of a contour is found: by nesting (default) or from its direction as drawn.
+   * How the interior of a contour is found: by nesting (default) or from its direction as drawn,
+   * on the left seen from the positive end of its axis. As drawn, contours that run clockwise on
+   * the whole bound the outside: the surface is inside out, and a warning says so.
    */
   vtkSetClampMacro(Orientation, int, ORIENT_BY_NESTING, ORIENT_AS_DRAWN);
   vtkGetMacro(Orientation, int);
@@ -208,8 +211,8 @@ public:
   ///@{
   /**
    * Distance of two contours at a node point above which it is counted in the warning and marked
-   * in the array "Repaired", as a fraction of the diagonal of the bounding box of all inputs.
-   * Default 1e-3, range 0 to 1.
+   * in the array "Repaired", and size ("RepairSize") above which a repair is reported, as a
+   * fraction of the diagonal of the bounding box of all inputs. Default 1e-3, range 0 to 1.
    */
   vtkSetClampMacro(ReportTolerance, double, 0.0, 1.0);
   vtkGetMacro(ReportTolerance, double);

@@ -119,7 +119,7 @@ void ExpectSides(const Input& input, const TriangleMesh& mesh)
 {
   SpatialGrid grid;
   const Contours contours = UsableContours(input.Sets, input.Settings, grid);
-  const SideCheck sides = CheckGridVertices(mesh, contours, grid, 20, 1);
+  const SideCheck sides = CheckGridVertices(mesh, contours, grid, input.Settings.Orient, 20, 1);
   EXPECT_EQ(sides.Wrong.size(), 0u) << "of " << sides.Compared << " grid vertices";
   EXPECT_GT(sides.Compared, sides.Skipped);
 }

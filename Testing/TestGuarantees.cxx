@@ -154,7 +154,8 @@ TEST(Guarantees, G3OrientedAndOutsideWhereTheContoursHaveIt)
       EXPECT_EQ(CheckSurface(result.Mesh).InconsistentEdges, 0);
       SpatialGrid grid;
       const Contours contours = UsableContours(input.Sets, input.Settings, grid);
-      const SideCheck sides = CheckGridVertices(result.Mesh, contours, grid, 40, 1);
+      const SideCheck sides =
+        CheckGridVertices(result.Mesh, contours, grid, input.Settings.Orient, 40, 1);
       EXPECT_TRUE(sides.Wrong.empty())
         << sides.Wrong.size() << " of " << sides.Compared << " grid vertices, the first at ("
         << sides.Wrong[0][0] << ", " << sides.Wrong[0][1] << ", " << sides.Wrong[0][2] << ")";
@@ -195,7 +196,7 @@ double GreatestDisagreement(const Reconstruction& result)
   double greatest = 0.0;
   for (Index node = 0; node < result.Nodes.Count(); ++node)
   {
-    greatest = std::max(greatest, NodeDisagreement(result.Lattice, result.Nodes, node));
+    greatest = std::max(greatest, result.Nodes.Disagreement(node));
   }
   return greatest;
 }

@@ -481,6 +481,7 @@ TEST(ReconstructionFilter, ArraysOfTheSurface)
 TEST(ReconstructionFilter, FieldDataCountWhatIsThere)
 {
   FilterRun run(Stomach());
+  run.Filter->SetReportTolerance(0.0);
   vtkPolyData* surface = run.Update();
   EXPECT_EQ(FieldValue(surface, "NumberOfComponents"), CheckSurface(MeshOf(surface)).Components);
   EXPECT_EQ(FieldValue(surface, "NumberOfContours"), 86 + 99 + 42);

@@ -103,8 +103,7 @@ void ShellDrawer::Reconnect()
       continue;
     }
     const BorderEnd& other = open.back();
-    this->Geometry.Join(
-      (end.IsStart ? end : other).Crossing, (end.IsStart ? other : end).Crossing);
+    this->Geometry.Join((end.IsStart ? end : other).Crossing, (end.IsStart ? other : end).Crossing);
     open.pop_back();
   }
 }

@@ -79,7 +79,7 @@ ContourTangent::Vector2 ContourTangent::Farther(
   {
     previous = n == 0 ? -1.0 : length;
     difference = { this->Set.U[begin + i] - from[0], this->Set.V[begin + i] - from[1] };
-    length = std::hypot(difference[0], difference[1]);
+    length = std::sqrt(difference[0] * difference[0] + difference[1] * difference[1]);
     i = (i + step + size) % size;
   }
   return difference;

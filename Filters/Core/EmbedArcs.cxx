@@ -45,8 +45,7 @@ private:
   bool IsSimple(const FaceArcs& face, std::vector<PolylineSegment>& segments) const;
   bool IsMonotone(const Face& face, Index arc) const;
   bool AreOnOneEdge(Index a, Index b) const;
-  void AddSegments(
-    const Face& face, Index arc, std::vector<PolylineSegment>& segments) const;
+  void AddSegments(const Face& face, Index arc, std::vector<PolylineSegment>& segments) const;
 
   Drawing Draw(const FaceArcs& face, bool forced) const;
   bool Uncross(const FaceArcs& face, Drawing& drawing) const;
@@ -166,8 +165,7 @@ Point2 ArcEmbedder::Bump(const Face& face, Index start, Index stop) const
   const bool lower = edge == 0 || edge == 3;
   Point2 bump;
   bump[along] = grid.Round(from[along] + 0.5 * (to[along] - from[along]));
-  bump[across] =
-    grid.MoveInside(axis, face.Slab[across], from[across] + (lower ? depth : -depth));
+  bump[across] = grid.MoveInside(axis, face.Slab[across], from[across] + (lower ? depth : -depth));
   return bump;
 }
 
@@ -178,7 +176,8 @@ FaceCurves ArcEmbedder::GetCurves(const FaceArcs& face) const
   {
     const Index first = static_cast<Index>(curves.Set.Vertices.size());
     this->Geometry.VisitPoints(arc,
-      [&](Index point) { curves.Set.Vertices.push_back(this->Geometry.InPlane(face.Face, point)); });
+      [&](Index point)
+      { curves.Set.Vertices.push_back(this->Geometry.InPlane(face.Face, point)); });
     curves.First.push_back(first);
     curves.Set.Curves.emplace_back(curves.Set.Vertices.size() - first);
     std::iota(curves.Set.Curves.back().begin(), curves.Set.Curves.back().end(), first);
@@ -237,8 +236,8 @@ bool ArcEmbedder::Uncross(const FaceArcs& face, Drawing& drawing) const
 }
 
 /// The arcs that are not as they were.
-void ArcEmbedder::Redraw(const FaceArcs& face, const FaceCurves& curves, const Uncrossing& outcome,
-  Drawing& drawing) const
+void ArcEmbedder::Redraw(
+  const FaceArcs& face, const FaceCurves& curves, const Uncrossing& outcome, Drawing& drawing) const
 {
   std::vector<Index> stops;
   for (Index i = 0; i < face.Count(); ++i)
@@ -258,15 +257,13 @@ void ArcEmbedder::Redraw(const FaceArcs& face, const FaceCurves& curves, const U
     drawing.Arc.push_back(face.First[i]);
     for (std::size_t k = 1; k + 1 < curve.size(); ++k)
     {
-      drawing.Points.push_back(
-        this->Geometry.InSpace(face.Face, curves.Set.Vertices[curve[k]]));
+      drawing.Points.push_back(this->Geometry.InSpace(face.Face, curves.Set.Vertices[curve[k]]));
     }
     drawing.Offsets.push_back(drawing.Points.size());
   }
-  drawing.What = outcome.Changes > 0
-    ? Repair{ RepairKind::ArcsUncrossed, face.Face.Axis, face.Face.Plane,
-        this->Geometry.InSpace(face.Face, outcome.Where), outcome.Shortening }
-    : this->DescribeBumps(face.Face, drawing);
+  drawing.What = outcome.Changes > 0 ? Repair{ RepairKind::ArcsUncrossed, face.Face.Axis,
+    face.Face.Plane, this->Geometry.InSpace(face.Face, outcome.Where), outcome.Shortening }
+                                     : this->DescribeBumps(face.Face, drawing);
 }
 
 /// The repair that is nothing but bumps.
@@ -277,8 +274,8 @@ Repair ArcEmbedder::DescribeBumps(const Face& face, const Drawing& drawing) cons
   {
     const Point2 start = this->Geometry.InPlane(face, this->Geometry.StartNode(drawing.Arc[i]));
     const Point3 bump = drawing.Points[i];
-    length += 2.0 * std::hypot(bump[FirstAxis(face.Axis)] - start[0],
-                      bump[SecondAxis(face.Axis)] - start[1]);
+    length += 2.0 *
+      std::hypot(bump[FirstAxis(face.Axis)] - start[0], bump[SecondAxis(face.Axis)] - start[1]);
   }
   return { RepairKind::ArcsRedrawn, face.Axis, face.Plane, drawing.Points.front(), length };
 }
@@ -286,8 +283,7 @@ Repair ArcEmbedder::DescribeBumps(const Face& face, const Drawing& drawing) cons
 Drawing ArcEmbedder::Draw(const FaceArcs& face, bool forced) const
 {
   Drawing drawing;
-  return !forced && this->Uncross(face, drawing) ? drawing
-                                                 : DrawArcShells(this->Geometry, face);
+  return !forced && this->Uncross(face, drawing) ? drawing : DrawArcShells(this->Geometry, face);
 }
 
 /// Writes the points of G anew with the new arcs in the places of the old ones.
@@ -316,7 +312,8 @@ void ArcEmbedder::Replace(const std::vector<Drawing>& drawings) const
     if (!places[arc].first)
     {
       const auto first = graph.Points.begin() + 3 * static_cast<std::size_t>(graph.FirstPoint(arc));
-      points.insert(points.end(), first, first + 3 * static_cast<std::size_t>(graph.PointCount(arc)));
+      points.insert(
+        points.end(), first, first + 3 * static_cast<std::size_t>(graph.PointCount(arc)));
     }
     else
     {
@@ -357,7 +354,7 @@ std::vector<ArcEmbedder::Task> ArcEmbedder::Classify(
           this->MoveInside(face.Face, arc);
           anew |= !isForced.empty() && isForced[arc] != 0;
         }
-        tasks[i] = anew                       ? Task::DrawAnew
+        tasks[i] = anew                    ? Task::DrawAnew
           : this->IsSimple(face, segments) ? Task::Keep
                                            : Task::Uncross;
       }

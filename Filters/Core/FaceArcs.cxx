@@ -18,50 +18,69 @@ Face FaceOf(const GridEdgeCode& code, const Crossings& crossings, Index arc)
     : Face{ SecondAxis(edge.Direction), edge.Second, { edge.Slab, edge.First + beyond } };
 }
 
-struct ArcInFace
+/// The slabs of a face as one number.
+std::uint64_t SlabCode(const Face& face)
 {
-  orthoslices::Face Face;
+  return static_cast<std::uint64_t>(face.Slab[0]) << 32 | static_cast<std::uint32_t>(face.Slab[1]);
+}
+
+/// An arc of a known slice.
+struct ArcInSlice
+{
+  std::uint64_t Slabs;
   Index Arc;
 };
 
-/// Of arcs on one slice.
-bool operator<(const ArcInFace& a, const ArcInFace& b)
+/// The slices of all axes, numbered through.
+class SliceNumbers
 {
-  return a.Face.Slab != b.Face.Slab ? a.Face.Slab < b.Face.Slab : a.Arc < b.Arc;
-}
+public:
+  explicit SliceNumbers(const SpatialGrid& grid)
+    : First{ 0, grid.Count(0), grid.Count(0) + grid.Count(1) }
+    , Count(grid.Count(0) + grid.Count(1) + grid.Count(2))
+  {
+  }
+  Index operator()(const Face& face) const { return this->First[face.Axis] + face.Plane; }
+
+  std::array<Index, 3> First;
+  Index Count;
+};
 
 /// The arcs that are not removed by slice: slice s has those from offsets[s] to offsets[s + 1] - 1.
-std::vector<ArcInFace> GroupBySlice(const SpatialGrid& grid, const Crossings& crossings,
+std::vector<ArcInSlice> GroupBySlice(const SpatialGrid& grid, const Crossings& crossings,
   const Execution& execution, std::vector<std::size_t>& offsets)
 {
   const GridEdgeCode code(grid);
-  const std::array<Index, 3> firstSlice{ 0, grid.Count(0), grid.Count(0) + grid.Count(1) };
-  std::vector<ArcInFace> inOrder(crossings.Count());
+  const SliceNumbers numbers(grid);
+  std::vector<ArcInSlice> inOrder(crossings.Count());
+  std::vector<Index> slice(crossings.Count());
   execution.For(inOrder.size(),
     [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t arc = begin; arc < end; ++arc)
+      for (std::size_t i = begin; i < end; ++i)
       {
-        const Index number = static_cast<Index>(arc);
-        inOrder[arc] = { FaceOf(code, crossings, number),
-          crossings.IsRemoved(number) ? Crossings::Removed : number };
+        const Index arc = static_cast<Index>(i);
+        const Face face = FaceOf(code, crossings, arc);
+        slice[i] = crossings.IsRemoved(arc) ? Crossings::Removed : numbers(face);
+        inOrder[i] = { SlabCode(face), arc };
       }
     });
-  const auto sliceOf = [&](const ArcInFace& arc)
-  { return static_cast<std::size_t>(firstSlice[arc.Face.Axis] + arc.Face.Plane); };
-  offsets.assign(firstSlice[2] + grid.Count(2) + 1, 0);
-  for (const ArcInFace& arc : inOrder)
+  offsets.assign(numbers.Count + 1, 0);
+  for (const Index s : slice)
   {
-    offsets[sliceOf(arc) + 1] += arc.Arc == Crossings::Removed ? 0 : 1;
+    if (s != Crossings::Removed)
+    {
+      ++offsets[s + 1];
+    }
   }
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   std::vector<std::size_t> place(offsets.begin(), offsets.end() - 1);
-  std::vector<ArcInFace> bySlice(offsets.back());
-  for (const ArcInFace& arc : inOrder)
+  std::vector<ArcInSlice> bySlice(offsets.back());
+  for (std::size_t i = 0; i < slice.size(); ++i)
   {
-    if (arc.Arc != Crossings::Removed)
+    if (slice[i] != Crossings::Removed)
     {
-      bySlice[place[sliceOf(arc)]++] = arc;
+      bySlice[place[slice[i]]++] = inOrder[i];
     }
   }
   return bySlice;
@@ -72,28 +91,37 @@ ArcsByFace GroupArcsByFace(
   const SpatialGrid& grid, const Crossings& crossings, const Execution& execution)
 {
   std::vector<std::size_t> slices;
-  std::vector<ArcInFace> arcs = GroupBySlice(grid, crossings, execution, slices);
+  std::vector<ArcInSlice> arcs = GroupBySlice(grid, crossings, execution, slices);
   execution.For(slices.size() - 1,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t slice = begin; slice < end; ++slice)
       {
-        std::sort(arcs.begin() + slices[slice], arcs.begin() + slices[slice + 1]);
+        std::sort(arcs.begin() + slices[slice], arcs.begin() + slices[slice + 1],
+          [](const ArcInSlice& a, const ArcInSlice& b)
+          { return a.Slabs != b.Slabs ? a.Slabs < b.Slabs : a.Arc < b.Arc; });
       }
     });
   ArcsByFace result;
   result.Arcs.reserve(arcs.size());
-  for (const ArcInFace& arc : arcs)
+  std::size_t slice = 0;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const bool same = !result.Faces.empty() && result.Faces.back().Axis == arc.Face.Axis &&
-      result.Faces.back().Plane == arc.Face.Plane && result.Faces.back().Slab == arc.Face.Slab;
-    if (!same)
+    for (Index plane = 0; plane < grid.Count(axis); ++plane, ++slice)
     {
-      result.Faces.push_back(arc.Face);
-      result.Offsets.push_back(0);
+      for (std::size_t i = slices[slice]; i < slices[slice + 1]; ++i)
+      {
+        const std::uint64_t slabs = arcs[i].Slabs;
+        if (i == slices[slice] || arcs[i - 1].Slabs != slabs)
+        {
+          result.Faces.push_back({ axis, plane,
+            { static_cast<Index>(slabs >> 32), static_cast<Index>(slabs & 0xffffffffu) } });
+          result.Offsets.push_back(0);
+        }
+        result.Arcs.push_back(arcs[i].Arc);
+        result.Offsets.back() = static_cast<Index>(result.Arcs.size());
+      }
     }
-    result.Arcs.push_back(arc.Arc);
-    result.Offsets.back() = static_cast<Index>(result.Arcs.size());
   }
   return result;
 }

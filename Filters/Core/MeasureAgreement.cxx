@@ -74,15 +74,15 @@ SliceAgreement MeasureAgreement(const Contours& contours, const SpatialGrid& gri
       {
         continue;
       }
-      const Index other = nodes.Partner(crossings, crossing);
-      const double distance = crossings.Position[other] - crossings.Position[crossing];
+      const double difference = nodes.Difference[node];
+      const double distance = crossing == nodes.First[node] ? difference : -difference;
       const int axis = contours.Axis[contour];
       const Index plane = contours.Plane[contour];
       result.OfContour[contour].Add(distance);
       result.OfPlane[axis][plane].Add(distance);
       const double nu = normal[FirstAxis(axis)];
       const double nv = normal[SecondAxis(axis)];
-      const double length = std::hypot(nu, nv);
+      const double length = std::sqrt(nu * nu + nv * nv);
       if (length > 0.0)
       {
         equations[axis][plane].Add(nu / length, nv / length, normal[t] / length * distance);

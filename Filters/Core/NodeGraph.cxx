@@ -16,9 +16,9 @@ namespace
  */
 struct EndShift
 {
-  int Axis;
-  double From, Amount;
-  double Low, High; ///< ends of the edge
+  int Axis = 0;
+  double From = 0.0, Amount = 0.0;
+  double Low = -HUGE_VAL, High = HUGE_VAL; ///< ends of the edge
 
   double At(const double* point) const
   {
@@ -114,17 +114,19 @@ Index GraphBuilder::CountPoints(Index arc) const
 /// How far the node lies from the crossing of this contour; zero within the tolerance.
 EndShift GraphBuilder::Displacement(Index crossing) const
 {
-  const GridEdge edge = this->Code.Decode(this->Lattice.Edge[crossing]);
   const Index node = this->Nodes.NodeOf[crossing];
   EndShift shift;
+  if (this->Nodes.Disagreement(node) <= this->Tolerance)
+  {
+    return shift;
+  }
+  const GridEdge edge = this->Code.Decode(this->Lattice.Edge[crossing]);
   shift.Axis = edge.Direction;
   shift.From = this->Lattice.Position[crossing];
-  shift.Amount = NodeDisagreement(this->Lattice, this->Nodes, node) > this->Tolerance
-    ? this->Nodes.Position[node] - shift.From
-    : 0.0;
+  shift.Amount = this->Nodes.Position[node] - shift.From;
   const auto& planes = this->Grid.Planes[shift.Axis];
-  shift.Low = edge.Slab > 0 ? planes[edge.Slab - 1] : -HUGE_VAL;
-  shift.High = edge.Slab < this->Grid.Count(shift.Axis) ? planes[edge.Slab] : HUGE_VAL;
+  shift.Low = edge.Slab > 0 ? planes[edge.Slab - 1] : shift.Low;
+  shift.High = edge.Slab < this->Grid.Count(shift.Axis) ? planes[edge.Slab] : shift.High;
   return shift;
 }
 

@@ -253,6 +253,16 @@ double TwiceSignedArea(const Contours& contours, Index contour)
   return area;
 }
 
+bool BoundOutside(const Contours& contours)
+{
+  double area = 0.0;
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    area += TwiceSignedArea(contours, contour);
+  }
+  return area < 0.0;
+}
+
 void OrientContours(Orientation orientation, bool keepCrossing, const Execution& execution,
   Contours& contours, std::vector<Problem>& crossing)
 {

@@ -25,6 +25,9 @@ enum class Orientation
 void OrientContours(Orientation orientation, bool keepCrossing, const Execution& execution,
   Contours& contours, std::vector<Problem>& crossing);
 
+/// Whether all contours together run clockwise: what they bound is the outside.
+bool BoundOutside(const Contours& contours);
+
 /// Twice the signed area of a contour: positive when it runs counter-clockwise seen from its axis.
 double TwiceSignedArea(const Contours& contours, Index contour);
 }

@@ -19,8 +19,14 @@ void PlaceNodes(const SpatialGrid& grid, const GridEdge& edge, const Crossings& 
   for (Index node = first; node < last; ++node)
   {
     const double low = crossings.Position[nodes.First[node]];
-    const double mean = low + share * (crossings.Position[nodes.Second[node]] - low);
+    const double difference = crossings.Position[nodes.Second[node]] - low;
+    const double mean = low + share * difference;
+    nodes.Difference.push_back(difference);
     nodes.Position.push_back(grid.MoveInside(t, edge.Slab, mean));
+  }
+  if (last - first == 1)
+  {
+    return;
   }
   double low, high;
   grid.GetExtent(t, edge.Slab, nodes.Position[first], nodes.Position[last - 1], low, high);
@@ -51,6 +57,7 @@ NodePoints PairNodePoints(const SpatialGrid& grid, const Crossings& crossings,
     side->reserve(crossings.Count() / 2);
   }
   nodes.Position.reserve(crossings.Count() / 2);
+  nodes.Difference.reserve(crossings.Count() / 2);
   for (Index edge = 0; edge < edges.Count(); ++edge)
   {
     const Index first = nodes.Count();
@@ -77,10 +84,5 @@ Point3 NodePosition(const SpatialGrid& grid, const GridEdgeCode& code, const Cro
   const NodePoints& nodes, Index node)
 {
   return CrossingPoint(grid, code, crossings.Edge[nodes.First[node]], nodes.Position[node]);
-}
-
-double NodeDisagreement(const Crossings& crossings, const NodePoints& nodes, Index node)
-{
-  return std::abs(crossings.Position[nodes.First[node]] - crossings.Position[nodes.Second[node]]);
 }
 }

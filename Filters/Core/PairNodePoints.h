@@ -6,6 +6,8 @@
 #include "RegisterCrossings.h"
 #include "Repair.h"
 
+#include <cmath>
+
 namespace orthoslices
 {
 /**
@@ -16,10 +18,14 @@ namespace orthoslices
 struct NodePoints
 {
   std::vector<Index> First, Second;
-  std::vector<double> Position; ///< along the edge
+  std::vector<double> Position;   ///< along the edge
+  std::vector<double> Difference; ///< position of the second crossing less that of the first
   std::vector<Index> NodeOf;
 
   Index Count() const { return static_cast<Index>(this->First.size()); }
+
+  /// Distance of the two crossings of a node.
+  double Disagreement(Index node) const { return std::abs(this->Difference[node]); }
 
   /// The crossing of the other contour at the same node.
   Index Partner(const Crossings& crossings, Index crossing) const
@@ -43,8 +49,6 @@ NodePoints PairNodePoints(const SpatialGrid& grid, const Crossings& crossings,
 Point3 NodePosition(const SpatialGrid& grid, const GridEdgeCode& code, const Crossings& crossings,
   const NodePoints& nodes, Index node);
 
-/// Distance of the two crossings of a node point.
-double NodeDisagreement(const Crossings& crossings, const NodePoints& nodes, Index node);
 }
 
 #endif

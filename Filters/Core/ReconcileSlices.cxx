@@ -30,13 +30,14 @@ class Reconciler
 {
 public:
   Reconciler(const SpatialGrid& grid, Crossings& crossings, EdgeRegister& edges,
-    std::vector<IsolatedLoop>& isolated, const AxisWeights& weights)
+    std::vector<IsolatedLoop>& isolated, const AxisWeights& weights, int background)
     : Grid(grid)
     , Code(grid)
     , Set(crossings)
     , Edges(edges)
     , Isolated(isolated)
     , Weights(weights)
+    , Background(background)
   {
   }
 
@@ -61,6 +62,8 @@ private:
   void MatchEdge(Index edge, int label);
   std::vector<Index> Alternate(Index begin, Index end, int label);
   void SnipUnmatched(const std::vector<Index>& list, const std::vector<std::uint8_t>& matched);
+  bool IsInserted(Index crossing) const;
+  void ReportSnip(Index a, Index b);
   void Snip(Index a, Index b);
   void JoinArcs(Index incoming, Index outgoing);
   void AddIsolated(Index firstRun);
@@ -71,6 +74,7 @@ private:
   EdgeRegister& Edges;
   std::vector<IsolatedLoop>& Isolated;
   AxisWeights Weights;
+  int Background;
   Reconciliation Report;
 };
 
@@ -120,13 +124,13 @@ std::vector<Doubt> Reconciler::FindDoubts() const
 {
   std::vector<Doubt> doubts;
   GridEdge previous{ -1, 0, 0, 0 };
-  int winding[2] = { 0, 0 };
+  int winding[2] = { this->Background, this->Background };
   for (Index e = 0; e < this->Edges.Count(); ++e)
   {
     const GridEdge edge = this->EdgeOf(e);
     if (!OnSameLine(edge, previous))
     {
-      winding[0] = winding[1] = 0;
+      winding[0] = winding[1] = this->Background;
     }
     else if (IsDoubtful(winding))
     {
@@ -215,7 +219,8 @@ std::vector<Correction> Reconciler::Decide(std::vector<Doubt>& doubts)
   for (std::size_t i = 0; i < doubts.size();)
   {
     const std::uint64_t vertex = doubts[i].Vertex;
-    std::array<int, 3> winding{ 0, 0, 0 };
+    std::array<int, 3> winding;
+    winding.fill(this->Background);
     for (; i < doubts.size() && doubts[i].Vertex == vertex; ++i)
     {
       winding[doubts[i].Axis] = doubts[i].Winding;
@@ -344,8 +349,13 @@ void Reconciler::AddIsolated(Index firstRun)
   }
 }
 
-/// On each side of the crossed plane, the arc that ends at one of the two goes on from the other.
-void Reconciler::Snip(Index a, Index b)
+/// Whether a crossing belongs to a loop around a vertex, which is reported there.
+bool Reconciler::IsInserted(Index crossing) const
+{
+  return this->Set.RunContour[crossing] == Crossings::None;
+}
+
+void Reconciler::ReportSnip(Index a, Index b)
 {
   const double from = this->Set.Position[a];
   const double to = this->Set.Position[b];
@@ -356,6 +366,15 @@ void Reconciler::Snip(Index a, Index b)
       first ? edge.First : edge.Second,
       CrossingPoint(this->Grid, this->Code, this->Set.Edge[a], from + 0.5 * (to - from)),
       std::abs(to - from) });
+}
+
+/// On each side of the crossed plane, the arc that ends at one of the two goes on from the other.
+void Reconciler::Snip(Index a, Index b)
+{
+  if (!this->IsInserted(a) || !this->IsInserted(b))
+  {
+    this->ReportSnip(a, b);
+  }
   this->JoinArcs(a, b);
   this->JoinArcs(b, a);
   this->Set.Next[a] = Crossings::Removed;
@@ -412,9 +431,10 @@ void Reconciler::MatchEdge(Index edge, int label)
   }
   if (2 * pairs.size() < static_cast<std::size_t>(end - begin))
   {
-    ++this->Report.Edges;
+    const std::size_t reported = this->Report.Repairs.size();
     this->SnipUnmatched(lists[0], matched[0]);
     this->SnipUnmatched(lists[1], matched[1]);
+    this->Report.Edges += this->Report.Repairs.size() > reported ? 1 : 0;
   }
 }
 
@@ -427,7 +447,7 @@ void Reconciler::MatchEdges()
   {
     const GridEdge edge = this->EdgeOf(e);
     const int change = this->SignSum(e, 0);
-    label = OnSameLine(edge, previous) ? label : 0;
+    label = OnSameLine(edge, previous) ? label : this->Background;
     this->MatchEdge(e, label);
     label += change;
     previous = edge;
@@ -512,8 +532,8 @@ void MatchAlternating(const std::vector<double>& first, const std::vector<double
 }
 
 Reconciliation ReconcileSlices(const SpatialGrid& grid, Crossings& crossings, EdgeRegister& edges,
-  std::vector<IsolatedLoop>& isolated, const AxisWeights& weights)
+  std::vector<IsolatedLoop>& isolated, const AxisWeights& weights, int background)
 {
-  return Reconciler(grid, crossings, edges, isolated, weights).Run();
+  return Reconciler(grid, crossings, edges, isolated, weights, background).Run();
 }
 }

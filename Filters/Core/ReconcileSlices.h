@@ -13,7 +13,7 @@ struct Reconciliation
 {
   Index Vertices =
     0;             ///< vertices of M at which the three slices did not agree on inside or outside
-  Index Edges = 0; ///< edges of M from which unmatched crossings were taken
+  Index Edges = 0; ///< edges of M from which unmatched crossings of contours were taken
   std::vector<Repair> Repairs;
 };
 
@@ -31,9 +31,12 @@ struct Reconciliation
  * Afterwards every edge has the same number of crossings from both families, with alternating
  * signs, in the same order. Slices that agree are left as they are, bit for bit. Arcs that close
  * by the snipping are appended to `isolated` if they have three vertices or more.
+ *
+ * `background` is the winding number far away: 0, or 1 where the contours bound the outside.
  */
 Reconciliation ReconcileSlices(const SpatialGrid& grid, Crossings& crossings, EdgeRegister& edges,
-  std::vector<IsolatedLoop>& isolated, const AxisWeights& weights = { 1.0, 1.0, 1.0 });
+  std::vector<IsolatedLoop>& isolated, const AxisWeights& weights = { 1.0, 1.0, 1.0 },
+  int background = 0);
 
 /**
  * Matches two ascending lists of positions whose signs alternate from the same first sign.

@@ -151,7 +151,9 @@ void MakePatches(const Options& options, const std::vector<double>& normals,
       result.Lattice, result.Nodes, normals, result.Polygons, execution);
     SeparatedPatches separated = SeparatePatches(result.Grid, result.Graph, result.Lattice,
       result.Nodes, result.Polygons, result.Surface.CentralPoints, execution);
+    result.SharedCells = separated.SharedCells;
     result.Surface.Shells = std::move(separated.Shells);
+    result.DoubtfulCycles = static_cast<Index>(separated.Unresolved.size());
     if (separated.Unresolved.empty() || round == mostRounds)
     {
       break;
@@ -168,7 +170,7 @@ Index CountDisagreements(const Reconstruction& result, double tolerance)
   Index count = 0;
   for (Index node = 0; node < result.Nodes.Count(); ++node)
   {
-    count += NodeDisagreement(result.Lattice, result.Nodes, node) > tolerance ? 1 : 0;
+    count += result.Nodes.Disagreement(node) > tolerance ? 1 : 0;
   }
   return count;
 }
@@ -198,6 +200,7 @@ Reconstruction Reconstruct(
     result.Grid = BuildSpatialGrid(contours, tolerance, options.SinglePrecision);
   }
   CountContours(contours, result);
+  result.InsideOut = options.Orient == Orientation::AsDrawn && BoundOutside(contours);
   result.Refused = (options.RefuseInvalid && !result.Invalid.empty()) ||
     (options.Crossing == CrossingContours::Refuse && !result.Crossing.empty());
   if (result.Refused || !GoOn(execution, result, 0.35))
@@ -211,8 +214,8 @@ Reconstruction Reconstruct(
   {
     return result;
   }
-  result.Reconciled =
-    ReconcileSlices(result.Grid, result.Lattice, edges, isolated, options.Weights);
+  result.Reconciled = ReconcileSlices(
+    result.Grid, result.Lattice, edges, isolated, options.Weights, result.InsideOut ? 1 : 0);
   result.Repairs.swap(result.Reconciled.Repairs);
   result.Nodes = PairNodePoints(result.Grid, result.Lattice, edges, options.Weights);
   edges = EdgeRegister();

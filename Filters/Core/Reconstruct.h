@@ -58,6 +58,7 @@ struct Reconstruction
 {
   std::vector<Problem> Invalid;  ///< open, off their plane or not finite: left out
   std::vector<Problem> Crossing; ///< contours that cross themselves or others
+  bool InsideOut = false;        ///< the contours as drawn bound the outside
   bool Refused = false;          ///< because of these, see Options; nothing else is set then
   std::array<Index, 3> ContourCount{ 0, 0, 0 }; ///< usable contours of each axis
   bool Stopped = false;                         ///< Execution::Continue returned false
@@ -69,6 +70,8 @@ struct Reconstruction
   NodeGraph Graph;
   IsolatedContours Isolated;
   Cycles Polygons;
+  Index SharedCells = 0;    ///< cells with several cycles
+  Index DoubtfulCycles = 0; ///< of cells so narrow that their patches may touch
   Patches Surface;
 
   /// The report: what the slices disagreed on, and what was done about it.

@@ -5,6 +5,8 @@
 
 #include "Types.h"
 
+#include <algorithm>
+
 namespace orthoslices
 {
 /// What was done to make a closed surface of contradictory contours. The numbers are part of the
@@ -33,6 +35,13 @@ struct Repair
     Where; ///< the vertex, the middle of the crossings, the middle of the new arcs or of the border
   double Size;
 };
+
+/// Takes out the repairs that are not larger than the tolerance.
+inline void RemoveSmallRepairs(double tolerance, std::vector<Repair>& repairs)
+{
+  const auto isSmall = [&](const Repair& repair) { return repair.Size <= tolerance; };
+  repairs.erase(std::remove_if(repairs.begin(), repairs.end(), isSmall), repairs.end());
+}
 
 /// Trust in the slices of each axis: not negative, not all zero.
 using AxisWeights = std::array<double, 3>;

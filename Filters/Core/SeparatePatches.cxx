@@ -608,7 +608,7 @@ SeparatedPatches SeparatePatches(const SpatialGrid& grid, const NodeGraph& graph
   const Crossings& crossings, const NodePoints& nodes, const Cycles& cycles,
   const std::vector<double>& centralPoints, const Execution& execution)
 {
-  const CellGroups groups = GroupByCell(grid, cycles);
+  const CellGroups groups = GroupByCell(grid, cycles, execution);
   std::vector<SeparatedPatches> found(groups.Several.size());
   execution.For(found.size(),
     [&](std::size_t begin, std::size_t end)
@@ -629,6 +629,7 @@ SeparatedPatches SeparatePatches(const SpatialGrid& grid, const NodeGraph& graph
       }
     });
   SeparatedPatches result;
+  result.SharedCells = static_cast<Index>(found.size());
   for (SeparatedPatches& part : found)
   {
     std::move(part.Shells.begin(), part.Shells.end(), std::back_inserter(result.Shells));

@@ -21,6 +21,7 @@ struct ShellPatch
 /// The shells, ascending by cycle, and the cycles of the cells in which they may still touch.
 struct SeparatedPatches
 {
+  Index SharedCells = 0; ///< cells with several cycles
   std::vector<ShellPatch> Shells;
   std::vector<Index> Unresolved;
 };

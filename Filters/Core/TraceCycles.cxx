@@ -3,6 +3,7 @@
 #include "TraceCycles.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace orthoslices
 {
@@ -81,15 +82,25 @@ void GetBoundary(const NodeGraph& graph, const Crossings& crossings, const NodeP
     points.push_back(StartNode(crossings, nodes, half));
     const Index first = graph.FirstPoint(half.Arc);
     const Index count = graph.PointCount(half.Arc);
+    const std::size_t place = points.size();
+    points.resize(place + count);
     for (Index p = 0; p < count; ++p)
     {
-      points.push_back(half.Above ? first + p : first + count - 1 - p);
+      points[place + p] = half.Above ? first + p : first + count - 1 - p;
     }
   }
 }
 
-CellGroups GroupByCell(const SpatialGrid& grid, const Cycles& cycles)
+CellGroups GroupByCell(const SpatialGrid& grid, const Cycles& cycles, const Execution& execution)
 {
+  // Layer by layer along the first axis; sorting the cells of a layer is quick.
+  std::vector<Index> layers(grid.Count(0) + 2, 0);
+  for (const auto& cell : cycles.Cell)
+  {
+    ++layers[cell[0] + 1];
+  }
+  std::partial_sum(layers.begin(), layers.end(), layers.begin());
+  std::vector<Index> place(layers.begin(), layers.end() - 1);
   std::vector<std::pair<std::uint64_t, Index>> cells(cycles.Count());
   for (Index i = 0; i < cycles.Count(); ++i)
   {
@@ -97,9 +108,16 @@ CellGroups GroupByCell(const SpatialGrid& grid, const Cycles& cycles)
     const std::uint64_t code =
       (static_cast<std::uint64_t>(cell[0]) * (grid.Count(1) + 1) + cell[1]) * (grid.Count(2) + 1) +
       cell[2];
-    cells[i] = { code, i };
+    cells[place[cell[0]]++] = { code, i };
   }
-  std::sort(cells.begin(), cells.end());
+  execution.For(layers.size() - 1,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t layer = begin; layer < end; ++layer)
+      {
+        std::sort(cells.begin() + layers[layer], cells.begin() + layers[layer + 1]);
+      }
+    });
   CellGroups groups;
   groups.Cycles.reserve(cells.size());
   Index first = 0;

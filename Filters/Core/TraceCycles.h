@@ -58,7 +58,7 @@ struct CellGroups
   std::vector<std::pair<Index, Index>> Several;
 };
 
-CellGroups GroupByCell(const SpatialGrid& grid, const Cycles& cycles);
+CellGroups GroupByCell(const SpatialGrid& grid, const Cycles& cycles, const Execution& execution);
 
 /// Entry i counts the cycles with i node points (the paper's Figure 8).
 std::vector<Index> CountPolygonSizes(const Cycles& cycles);

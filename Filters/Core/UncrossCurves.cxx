@@ -14,10 +14,7 @@ constexpr std::size_t MostWorkPerVertex = 1 << 12;
 /// Contacts for each vertex that are listed before the first of them are dealt with.
 constexpr std::size_t MostContactsPerVertex = 16;
 
-double Distance(const Point2& a, const Point2& b)
-{
-  return std::hypot(b[0] - a[0], b[1] - a[1]);
-}
+double Distance(const Point2& a, const Point2& b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
 
 /// The segment from a vertex to the next one of its curve.
 struct Segment
@@ -112,8 +109,7 @@ std::vector<Segment> Untangler::ListSegments() const
     {
       const Point2& p = this->At(curve[i - 1]);
       const Point2& q = this->At(curve[i]);
-      segments.push_back({ curve[i - 1], curve[i],
-        { std::min(p[0], q[0]), std::min(p[1], q[1]) },
+      segments.push_back({ curve[i - 1], curve[i], { std::min(p[0], q[0]), std::min(p[1], q[1]) },
         { std::max(p[0], q[0]), std::max(p[1], q[1]) } });
     }
   }
@@ -337,8 +333,5 @@ Uncrossing Untangler::Run()
 }
 }
 
-Uncrossing UncrossCurves(PlanarCurves& curves)
-{
-  return Untangler(curves).Run();
-}
+Uncrossing UncrossCurves(PlanarCurves& curves) { return Untangler(curves).Run(); }
 }

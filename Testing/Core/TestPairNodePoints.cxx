@@ -68,7 +68,7 @@ TEST(PairNodePoints, LiesMidwayBetweenItsTwoContours)
   int disagreeing = 0;
   for (Index node = 0; node < 6; ++node)
   {
-    const double distance = NodeDisagreement(stages.Lattice, stages.Nodes, node);
+    const double distance = stages.Nodes.Disagreement(node);
     const Point3 p = NodePosition(stages.Grid, code, stages.Lattice, stages.Nodes, node);
     disagreeing += distance == 0.5 ? 1 : 0;
     EXPECT_EQ(distance == 0.5, p == (Point3{ 0, 1.25, 0 }));

@@ -252,7 +252,7 @@ TEST(ReconcileSlices, LoopIsInsertedWhereTheMajorityIsInside)
   {
     // The loop meets the x- and y-axis at the origin, the others meet them at distance 1.
     const bool alongZ = stages.EdgeOf(stages.Nodes.First[node]).Direction == 2;
-    EXPECT_EQ(NodeDisagreement(stages.Lattice, stages.Nodes, node), alongZ ? 0.0 : 1.0);
+    EXPECT_EQ(stages.Nodes.Disagreement(node), alongZ ? 0.0 : 1.0);
   }
   EXPECT_EQ(stages.Polygons.Count(), 8);
 }
@@ -282,6 +282,6 @@ TEST(ReconcileSlices, DentThatOneSliceHasAloneIsSnipped)
   EXPECT_EQ(stages.Polygons.Count(), 8);
   for (Index node = 0; node < 6; ++node)
   {
-    EXPECT_EQ(NodeDisagreement(stages.Lattice, stages.Nodes, node), 0.0);
+    EXPECT_EQ(stages.Nodes.Disagreement(node), 0.0);
   }
 }

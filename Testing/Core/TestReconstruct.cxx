@@ -51,10 +51,14 @@ TEST(Reconstruct, DirectionsDoNotMatterUnlessTrusted)
   EXPECT_GT(CheckSurface(MeshOf(RunCore(reversed))).TotalVolume(), 0.0);
   Options options;
   options.Orient = Orientation::AsDrawn;
-  // As drawn, nothing bounds the solid from outside: contradictory, but closed all the same.
+  // As drawn, they bound the outside: the same surface inside out.
   const Reconstruction result = RunCore(reversed, options);
-  EXPECT_EQ(result.Reconciled.Vertices, 1);
+  EXPECT_TRUE(result.InsideOut);
+  EXPECT_EQ(result.Reconciled.Vertices, 0);
+  EXPECT_EQ(result.Nodes.Count(), 6);
   EXPECT_TRUE(CheckSurface(MeshOf(result)).IsClosedManifold());
+  EXPECT_EQ(CheckSurface(MeshOf(result)).TotalVolume(),
+    -CheckSurface(MeshOf(RunCore(reversed))).TotalVolume());
 }
 
 //----------------------------------------------------------------------------

@@ -134,7 +134,7 @@ TEST(TraceCycles, CubeHasOneInEveryCellButTheMiddle)
   const Stages stages{ Cube() };
   ASSERT_EQ(stages.Polygons.Count(), 26);
   EXPECT_EQ(CountPolygonSizes(stages.Polygons), (std::vector<Index>{ 0, 0, 0, 8, 18 }));
-  EXPECT_EQ(GroupByCell(stages.Grid, stages.Polygons).Several.size(), 0u);
+  EXPECT_EQ(GroupByCell(stages.Grid, stages.Polygons, Execution()).Several.size(), 0u);
   for (Index i = 0; i < 26; ++i)
   {
     const Cell& cell = stages.Polygons.Cell[i];
@@ -155,7 +155,7 @@ TEST(TraceCycles, TwoSheetsThroughACellAreTwoCycles)
     text += std::string("y=") + plane + ": 0.2,-1 0.8,-1 0.8,2 0.2,2\n";
   }
   const Stages stages(text);
-  const CellGroups groups = GroupByCell(stages.Grid, stages.Polygons);
+  const CellGroups groups = GroupByCell(stages.Grid, stages.Polygons, Execution());
   ASSERT_EQ(groups.Several.size(), 1u);
   ASSERT_EQ(groups.Several[0].second - groups.Several[0].first, 2);
   for (Index i = groups.Several[0].first; i < groups.Several[0].second; ++i)
@@ -172,7 +172,7 @@ TEST(TraceCycles, CellsWithSeveralCyclesAsBruteForceHasThem)
   {
     const Stages stages(RandomContradictoryInput(seed));
     SCOPED_TRACE(seed);
-    const CellGroups groups = GroupByCell(stages.Grid, stages.Polygons);
+    const CellGroups groups = GroupByCell(stages.Grid, stages.Polygons, Execution());
     const std::set<Index> all(groups.Cycles.begin(), groups.Cycles.end());
     EXPECT_EQ(all.size(), static_cast<std::size_t>(stages.Polygons.Count()));
     std::size_t several = 0;
@@ -231,7 +231,7 @@ TEST(TraceCycles, SeveralCyclesAndSizesAreCountedAsByHand)
   cycles.Cell = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 2, 2, 2 }, { 1, 0, 0 }, { 1, 0, 0 } };
   cycles.Offsets = { 0, 3, 7, 10, 15, 17, 21 };
   cycles.Arcs.resize(21);
-  EXPECT_EQ(GroupByCell(grid, cycles).Several.size(), 2u);
+  EXPECT_EQ(GroupByCell(grid, cycles, Execution()).Several.size(), 2u);
   EXPECT_EQ(CountPolygonSizes(cycles), (std::vector<Index>{ 0, 0, 1, 2, 2, 1 }));
 }
 

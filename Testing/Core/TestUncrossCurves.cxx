@@ -47,8 +47,8 @@ bool DoMeet(const PlanarCurves& set)
         const std::vector<Index>& q = set.Curves[b];
         for (std::size_t j = a == b ? i + 2 : 0; j + 1 < q.size(); ++j)
         {
-          if (SegmentsMeet(Lift(set, p[i]), Lift(set, p[i + 1]), Lift(set, q[j]),
-                Lift(set, q[j + 1]), 2))
+          if (SegmentsMeet(
+                Lift(set, p[i]), Lift(set, p[i + 1]), Lift(set, q[j]), Lift(set, q[j + 1]), 2))
           {
             return true;
           }
@@ -90,7 +90,8 @@ double Length(const PlanarCurves& set)
 //----------------------------------------------------------------------------
 TEST(UncrossCurves, LeavesCurvesThatDoNotTouch)
 {
-  PlanarCurves set = MakeCurves({ { { 0, 0 }, { 1, 1 }, { 2, 0 } }, { { 0, 1 }, { 1, 2 }, { 2, 1 } } });
+  PlanarCurves set =
+    MakeCurves({ { { 0, 0 }, { 1, 1 }, { 2, 0 } }, { { 0, 1 }, { 1, 2 }, { 2, 1 } } });
   const auto before = set.Curves;
   const Uncrossing outcome = UncrossCurves(set);
   EXPECT_TRUE(outcome.Simple);
@@ -102,7 +103,8 @@ TEST(UncrossCurves, LeavesCurvesThatDoNotTouch)
 //----------------------------------------------------------------------------
 TEST(UncrossCurves, PassesALoopTheOtherWay)
 {
-  PlanarCurves set = MakeCurves({ { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, -1 }, { 0, -1 } } });
+  PlanarCurves set =
+    MakeCurves({ { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, -1 }, { 0, -1 } } });
   const Uncrossing outcome = UncrossCurves(set);
   EXPECT_TRUE(outcome.Simple);
   EXPECT_EQ(outcome.Changes, 1);

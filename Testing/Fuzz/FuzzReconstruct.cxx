@@ -242,7 +242,7 @@ std::string FindWrongSides(const PieceSets& sets, const Options& options, const 
       size = std::max(size, std::abs(p[axis] - mesh.Points.front()[axis]));
     }
   }
-  for (const Point3& p : CheckGridVertices(mesh, contours, grid, 64, 1).Wrong)
+  for (const Point3& p : CheckGridVertices(mesh, contours, grid, options.Orient, 64, 1).Wrong)
   {
     if (!IsOnContour(contours, p, std::max(64.0 * reach, 1e-5 * size)))
     {

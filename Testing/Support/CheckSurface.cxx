@@ -342,14 +342,32 @@ int WindingInSlice(const Contours& contours, int axis, Index plane, double u, do
   return winding;
 }
 
+/// Sum of the areas of all contours, negative for those that run clockwise.
+double SignedArea(const Contours& contours)
+{
+  double area = 0.0;
+  for (Index c = 0; c < contours.Count(); ++c)
+  {
+    const Index begin = contours.Offsets[c], end = contours.Offsets[c + 1];
+    for (Index i = begin; i < end; ++i)
+    {
+      const Index j = i + 1 < end ? i + 1 : begin;
+      area += 0.5 * (contours.U[j] - contours.U[i]) *
+        (2.0 * contours.V[begin] - contours.V[i] - contours.V[j]);
+    }
+  }
+  return area;
+}
+
 /// The label that two of the three slices have, or 0 or 1 if it is below or above.
-int VoteOfSlices(const Contours& contours, const SpatialGrid& grid, const std::array<Index, 3>& at)
+int VoteOfSlices(
+  const Contours& contours, const SpatialGrid& grid, int background, const std::array<Index, 3>& at)
 {
   std::array<int, 3> votes;
   for (int axis = 0; axis < 3; ++axis)
   {
     const int u = FirstAxis(axis), v = SecondAxis(axis);
-    votes[axis] =
+    votes[axis] = background +
       WindingInSlice(contours, axis, at[axis], grid.Planes[u][at[u]], grid.Planes[v][at[v]]);
   }
   std::sort(votes.begin(), votes.end());
@@ -358,8 +376,9 @@ int VoteOfSlices(const Contours& contours, const SpatialGrid& grid, const std::a
 }
 
 SideCheck CheckGridVertices(const TriangleMesh& mesh, const Contours& contours,
-  const SpatialGrid& grid, std::size_t most, std::uint64_t seed)
+  const SpatialGrid& grid, Orientation orientation, std::size_t most, std::uint64_t seed)
 {
+  const int background = orientation == Orientation::AsDrawn && SignedArea(contours) < 0.0 ? 1 : 0;
   SideCheck check;
   Random random(seed);
   const std::size_t all = grid.Planes[0].size() * grid.Planes[1].size() * grid.Planes[2].size();
@@ -374,14 +393,14 @@ SideCheck CheckGridVertices(const TriangleMesh& mesh, const Contours& contours,
       number /= grid.Planes[axis].size();
       point[axis] = grid.Planes[axis][at[axis]];
     }
-    const double winding = WindingNumber(mesh, point);
+    const double winding = background + WindingNumber(mesh, point);
     if (!(std::abs(winding - std::round(winding)) < 1e-6))
     {
       ++check.Skipped;
       continue;
     }
     ++check.Compared;
-    if (std::lround(winding) != VoteOfSlices(contours, grid, at))
+    if (std::lround(winding) != VoteOfSlices(contours, grid, background, at))
     {
       check.Wrong.push_back(point);
     }

@@ -85,10 +85,11 @@ struct SideCheck
 /**
  * At up to `most` random vertices of the grid: the surface has to enclose those, and only those,
  * that lie inside for at least two of the three slices through them. A slice says so by the
- * winding number of its contours.
+ * winding number of its contours; if they are trusted as drawn and run clockwise on the whole, they
+ * bound the outside.
  */
 SideCheck CheckGridVertices(const TriangleMesh& mesh, const Contours& contours,
-  const SpatialGrid& grid, std::size_t most, std::uint64_t seed);
+  const SpatialGrid& grid, Orientation orientation, std::size_t most, std::uint64_t seed);
 
 /**
  * Pairs of triangles of which one has a side that certainly passes through the inside of the other:
