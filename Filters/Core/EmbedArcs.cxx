@@ -42,10 +42,9 @@ private:
 
   std::vector<Task> Classify(const ArcsByFace& faces, const std::vector<Index>& forced) const;
   void MoveInside(const Face& face, Index arc) const;
-  bool IsSimple(const FaceArcs& face, std::vector<PolylineSegment>& segments) const;
+  bool IsSimple(const FaceArcs& face) const;
   bool IsMonotone(const Face& face, Index arc) const;
   bool AreOnOneEdge(Index a, Index b) const;
-  void AddSegments(const Face& face, Index arc, std::vector<PolylineSegment>& segments) const;
 
   Drawing Draw(const FaceArcs& face, bool forced) const;
   bool Uncross(const FaceArcs& face, Drawing& drawing) const;
@@ -107,28 +106,8 @@ bool ArcEmbedder::AreOnOneEdge(Index a, Index b) const
   return this->Geometry.Lattice.Edge[a] == this->Geometry.Lattice.Edge[b];
 }
 
-void ArcEmbedder::AddSegments(
-  const Face& face, Index arc, std::vector<PolylineSegment>& segments) const
+bool ArcEmbedder::IsSimple(const FaceArcs& face) const
 {
-  Index place = -1;
-  Point2 previous{ 0.0, 0.0 };
-  this->Geometry.VisitPoints(arc,
-    [&](Index point)
-    {
-      const Point2 p = this->Geometry.InPlane(face, point);
-      if (place >= 0)
-      {
-        segments.push_back({ previous, p, arc, place });
-      }
-      ++place;
-      previous = p;
-    });
-}
-
-/// `segments` is memory to be used again.
-bool ArcEmbedder::IsSimple(const FaceArcs& face, std::vector<PolylineSegment>& segments) const
-{
-  segments.clear();
   for (const Index arc : face)
   {
     if (this->Geometry.Graph.PointCount(arc) == 0 &&
@@ -141,11 +120,8 @@ bool ArcEmbedder::IsSimple(const FaceArcs& face, std::vector<PolylineSegment>& s
   {
     return true;
   }
-  for (const Index arc : face)
-  {
-    this->AddSegments(face.Face, arc, segments);
-  }
-  return AreSimple(segments);
+  FaceCurves curves = this->GetCurves(face);
+  return AreSimple(curves.Set);
 }
 
 /// A vertex a little inside the face, beside the middle between two ends on one edge of M.
@@ -344,7 +320,6 @@ std::vector<ArcEmbedder::Task> ArcEmbedder::Classify(
   this->Execute.For(tasks.size(),
     [&](std::size_t begin, std::size_t end)
     {
-      std::vector<PolylineSegment> segments;
       for (std::size_t i = begin; i < end; ++i)
       {
         const FaceArcs face = faces[static_cast<Index>(i)];
@@ -354,9 +329,7 @@ std::vector<ArcEmbedder::Task> ArcEmbedder::Classify(
           this->MoveInside(face.Face, arc);
           anew |= !isForced.empty() && isForced[arc] != 0;
         }
-        tasks[i] = anew                    ? Task::DrawAnew
-          : this->IsSimple(face, segments) ? Task::Keep
-                                           : Task::Uncross;
+        tasks[i] = anew ? Task::DrawAnew : this->IsSimple(face) ? Task::Keep : Task::Uncross;
       }
     });
   return tasks;

@@ -149,27 +149,6 @@ bool BoxesApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
   }
   return false;
 }
-
-bool HasNoFold(const PolylineSegment& first, const PolylineSegment& second)
-{
-  // Consecutive segments meet in one point unless the second runs back along the first.
-  const double dot = (first.End[0] - first.Start[0]) * (second.End[0] - second.Start[0]) +
-    (first.End[1] - first.Start[1]) * (second.End[1] - second.Start[1]);
-  return dot > 0.0 || SideOf(first.Start, first.End, second.End) != 0;
-}
-
-bool AreCompatible(const PolylineSegment& a, const PolylineSegment& b)
-{
-  if (a.Polyline == b.Polyline && a.Place + 1 == b.Place)
-  {
-    return HasNoFold(a, b);
-  }
-  if (a.Polyline == b.Polyline && b.Place + 1 == a.Place)
-  {
-    return HasNoFold(b, a);
-  }
-  return AreApart(a.Start, a.End, b.Start, b.End);
-}
 }
 
 bool CertainlyApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
@@ -240,27 +219,5 @@ bool CertainlyApartBeyond(const std::vector<int>& common, const std::array<Point
       t[3 - commonOfOther[0] - commonOfOther[1]]);
   }
   return false;
-}
-
-bool AreSimple(std::vector<PolylineSegment>& segments)
-{
-  const auto low = [](const PolylineSegment& s, int i) { return std::min(s.Start[i], s.End[i]); };
-  const auto high = [](const PolylineSegment& s, int i) { return std::max(s.Start[i], s.End[i]); };
-  std::sort(segments.begin(), segments.end(),
-    [&](const PolylineSegment& a, const PolylineSegment& b) { return low(a, 0) < low(b, 0); });
-  for (std::size_t i = 0; i < segments.size(); ++i)
-  {
-    const PolylineSegment& a = segments[i];
-    for (std::size_t j = i + 1; j < segments.size() && low(segments[j], 0) <= high(a, 0); ++j)
-    {
-      const PolylineSegment& b = segments[j];
-      const bool overlap = low(b, 1) <= high(a, 1) && low(a, 1) <= high(b, 1);
-      if (overlap && !AreCompatible(a, b))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
 }
 }

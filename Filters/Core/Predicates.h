@@ -31,12 +31,6 @@ inline int SideOf(const Point2& p, const Point2& q, const Point2& r)
   return det > bound ? 1 : det < -bound ? -1 : ExactSideOf(p, q, r);
 }
 
-/// Whether the closed segments ab and cd have no point in common, exactly.
-inline bool AreApart(const Point2& a, const Point2& b, const Point2& c, const Point2& d)
-{
-  return SideOf(a, b, c) * SideOf(a, b, d) > 0 || SideOf(c, d, a) * SideOf(c, d, b) > 0;
-}
-
 /// Side of d against the plane of abc: 1 if a, b, c run counter-clockwise seen from d, -1, 0 not
 /// certain.
 int CertainSide(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
@@ -50,20 +44,6 @@ bool CertainlyApartBeyond(const std::vector<int>& common, const std::array<Point
 
 /// Whether the corners of a triangle lie on one line in every projection.
 bool HasNoArea(const std::array<Point3, 3>& triangle);
-
-/// A segment of a polyline: Place counts the segments along it.
-struct PolylineSegment
-{
-  Point2 Start, End;
-  Index Polyline;
-  Index Place;
-};
-
-/**
- * Whether the polylines of the segments touch neither themselves nor each other, except that
- * consecutive segments of one polyline share a point. Reorders the segments.
- */
-bool AreSimple(std::vector<PolylineSegment>& segments);
 }
 
 #endif

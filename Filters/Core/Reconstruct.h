@@ -108,8 +108,9 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  *   G2  2-manifold: the triangles around every vertex form one disc.
  *   G3  Oriented: the two triangles at an edge run through it in opposite directions, and outside
  *       is where the contours have it (on their right, seen from the positive end of the axis).
- *   G4  Contours are kept: where the slices agree and contours do not cross, every vertex of every
- *       contour with a node point is a vertex of the surface, on its plane; one that lies on a
+ *   G4  Contours are kept: where the slices agree, every vertex of every contour with a node point
+ *       is a vertex of the surface, on its plane (where contours cross, in another order and
+ *       without those that lie on another part of a contour); one that lies on a
  *       grid line, or within the Margin of the grid of one, may move by that margin, and one on a
  *       grid edge along it by half the disagreement of the two slices there. Where slices
  *       contradict each other by more than the tolerance, vertices move with the node points
@@ -134,7 +135,8 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  * their cycle only. So patches of different cells meet in shared arcs only. A cell is convex: the
  * fan of a cycle around a point strictly inside cannot touch itself. Several patches of one cell
  * are kept apart by SeparatePatches. Where arcs lie so close together that rounding could spoil
- * that, they are drawn anew, farther apart.
+ * that, they are drawn anew, farther apart. A slab that is a few dozen steps of the precision wide
+ * may leave no room for that: DoubtfulCycles counts the patches concerned.
  */
 Reconstruction Reconstruct(
   std::array<Pieces, 3>&& pieces, const Options& options, const Execution& execution);

@@ -37,6 +37,7 @@ class Untangler
 public:
   explicit Untangler(PlanarCurves& curves);
   Uncrossing Run();
+  bool IsSimple() { return this->FindContacts(0) && this->Contacts.empty(); }
 
 private:
   static constexpr Index None = -1;
@@ -47,7 +48,7 @@ private:
   void Renumber(Index curve, std::size_t first);
 
   std::vector<Segment> ListSegments() const;
-  bool FindContacts();
+  bool FindContacts(std::size_t most);
   void Compare(const Segment& a, const Segment& b);
   void AddFold(const Segment& a, const Segment& b);
   void AddTouch(const Segment& a, const Segment& b);
@@ -116,8 +117,8 @@ std::vector<Segment> Untangler::ListSegments() const
   return segments;
 }
 
-/// False if that would take too long.
-bool Untangler::FindContacts()
+/// Lists contacts until there are more than `most`. False if that would take too long.
+bool Untangler::FindContacts(std::size_t most)
 {
   this->Contacts.clear();
   std::vector<Segment> segments = this->ListSegments();
@@ -125,8 +126,7 @@ bool Untangler::FindContacts()
     [](const Segment& a, const Segment& b)
     { return a.Low[0] != b.Low[0] ? a.Low[0] < b.Low[0] : a.Start < b.Start; });
   const std::size_t mostWork = MostWorkPerVertex * this->Set.Vertices.size();
-  const std::size_t mostContacts = MostContactsPerVertex * this->Set.Vertices.size();
-  for (std::size_t i = 0; i < segments.size() && this->Contacts.size() <= mostContacts; ++i)
+  for (std::size_t i = 0; i < segments.size() && this->Contacts.size() <= most; ++i)
   {
     const Segment& a = segments[i];
     for (std::size_t j = i + 1; j < segments.size() && segments[j].Low[0] <= a.High[0]; ++j)
@@ -313,7 +313,7 @@ bool Untangler::Apply(const Contact& contact)
 Uncrossing Untangler::Run()
 {
   const double length = this->Length();
-  while (this->FindContacts())
+  while (this->FindContacts(MostContactsPerVertex * this->Set.Vertices.size()))
   {
     std::stable_sort(this->Contacts.begin(), this->Contacts.end(),
       [](const Contact& a, const Contact& b) { return a.Gain > b.Gain; });
@@ -332,6 +332,8 @@ Uncrossing Untangler::Run()
   return this->Result;
 }
 }
+
+bool AreSimple(PlanarCurves& curves) { return Untangler(curves).IsSimple(); }
 
 Uncrossing UncrossCurves(PlanarCurves& curves) { return Untangler(curves).Run(); }
 }

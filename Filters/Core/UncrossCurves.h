@@ -14,6 +14,9 @@ struct PlanarCurves
   std::vector<std::vector<Index>> Curves;
 };
 
+/// Whether no curve touches itself or another one.
+bool AreSimple(PlanarCurves& curves);
+
 /// Outcome of UncrossCurves.
 struct Uncrossing
 {

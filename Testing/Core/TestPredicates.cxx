@@ -69,30 +69,6 @@ TEST(Predicates, SideOfSmallAndLargeNumbers)
 }
 
 //----------------------------------------------------------------------------
-TEST(Predicates, SegmentsAreApart)
-{
-  EXPECT_TRUE(AreApart({ 0, 0 }, { 1, 0 }, { 0, 1 }, { 1, 1 }));
-  EXPECT_FALSE(AreApart({ 0, 0 }, { 1, 1 }, { 0, 1 }, { 1, 0 }));
-  EXPECT_FALSE(AreApart({ 0, 0 }, { 1, 0 }, { 0.5, 0 }, { 0.5, 1 }));
-  EXPECT_FALSE(AreApart({ 0, 0 }, { 1, 0 }, { 0.5, 0 }, { 2, 0 }));
-  Random random(2);
-  for (int i = 0; i < 20000; ++i)
-  {
-    const Point2 a = RandomPoint2(random), b = RandomPoint2(random), c = RandomPoint2(random),
-                 d = RandomPoint2(random);
-    // Segments on one line may count as not apart, but never the other way round.
-    if (AreApart(a, b, c, d))
-    {
-      EXPECT_FALSE(SegmentsMeet(Lift(a), Lift(b), Lift(c), Lift(d), 2));
-    }
-    else if (SideOf(a, b, c) != 0 || SideOf(a, b, d) != 0)
-    {
-      EXPECT_TRUE(SegmentsMeet(Lift(a), Lift(b), Lift(c), Lift(d), 2));
-    }
-  }
-}
-
-//----------------------------------------------------------------------------
 TEST(Predicates, CertainSideIsRightOrNotCertain)
 {
   const Point3 a{ 0, 0, 0 }, b{ 1, 0, 0 }, c{ 0, 1, 0 };
@@ -219,81 +195,4 @@ TEST(Predicates, NoArea)
   EXPECT_TRUE(HasNoArea({ { { 0, 0, 0 }, { 1, 2, 3 }, { 2, 4, 6 } } }));
   EXPECT_TRUE(HasNoArea({ { { 0, 0, 0 }, { 0, 0, 0 }, { 2, 4, 6 } } }));
   EXPECT_FALSE(HasNoArea({ { { 0, 0, 0 }, { 1, 2, 3 }, { 2, 4, std::nextafter(6.0, 7.0) } } }));
-}
-
-//----------------------------------------------------------------------------
-namespace
-{
-std::vector<PolylineSegment> SegmentsOf(const std::vector<std::vector<Point2>>& polylines)
-{
-  std::vector<PolylineSegment> segments;
-  for (std::size_t p = 0; p < polylines.size(); ++p)
-  {
-    for (std::size_t i = 0; i + 1 < polylines[p].size(); ++i)
-    {
-      segments.push_back(
-        { polylines[p][i], polylines[p][i + 1], static_cast<Index>(p), static_cast<Index>(i) });
-    }
-  }
-  return segments;
-}
-
-bool AreSimplePolylines(const std::vector<std::vector<Point2>>& polylines)
-{
-  std::vector<PolylineSegment> segments = SegmentsOf(polylines);
-  return AreSimple(segments);
-}
-}
-
-TEST(Predicates, SimplePolylines)
-{
-  EXPECT_TRUE(AreSimplePolylines({ { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 1 } } }));
-  EXPECT_TRUE(AreSimplePolylines({ { { 0, 0 }, { 1, 0 } }, { { 0, 1 }, { 1, 1 } } }));
-  EXPECT_FALSE(AreSimplePolylines({ { { 0, 0 }, { 1, 0 }, { 0, 0 } } }));            // back
-  EXPECT_FALSE(AreSimplePolylines({ { { 0, 0 }, { 2, 0 }, { 1, 0 } } }));            // partly
-  EXPECT_FALSE(AreSimplePolylines({ { { 0, 0 }, { 0, 0 }, { 1, 0 } } }));            // twice
-  EXPECT_FALSE(AreSimplePolylines({ { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 0 } } }));  // closed
-  EXPECT_FALSE(AreSimplePolylines({ { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 1, -1 } } })); // crosses
-  EXPECT_FALSE(AreSimplePolylines({ { { 0, 0 }, { 2, 0 } }, { { 1, 0 }, { 1, 1 } } }));
-  EXPECT_FALSE(AreSimplePolylines({ { { 0, 0 }, { 2, 0 } }, { { 0, 0 }, { 2, 1 } } }));
-}
-
-//----------------------------------------------------------------------------
-TEST(Predicates, SimplePolylinesAsByComparingAllPairs)
-{
-  Random random(7);
-  int simple = 0;
-  for (int run = 0; run < 5000; ++run)
-  {
-    std::vector<std::vector<Point2>> polylines(1 + random.Below(3));
-    for (auto& polyline : polylines)
-    {
-      for (std::size_t i = 2 + random.Below(3); i > 0; --i)
-      {
-        polyline.push_back(RandomPoint2(random));
-      }
-    }
-    const std::vector<PolylineSegment> segments = SegmentsOf(polylines);
-    bool meet = false;
-    for (const PolylineSegment& a : segments)
-    {
-      for (const PolylineSegment& b : segments)
-      {
-        const bool next = a.Polyline == b.Polyline && a.Place + 1 == b.Place;
-        const bool apart = a.Polyline != b.Polyline || std::abs(a.Place - b.Place) > 1;
-        // Beyond their common point, consecutive segments meet if they run back.
-        const bool back = next && SideOf(a.Start, a.End, b.End) == 0 &&
-          ((a.Start[0] - a.End[0]) * (b.End[0] - b.Start[0]) > 0.0 ||
-            (a.Start[1] - a.End[1]) * (b.End[1] - b.Start[1]) > 0.0 || a.Start == a.End ||
-            b.Start == b.End);
-        meet |= back ||
-          (apart && SegmentsMeet(Lift(a.Start), Lift(a.End), Lift(b.Start), Lift(b.End), 2));
-      }
-    }
-    // Never simple if something meets.
-    const bool isSimple = AreSimplePolylines(polylines);
-    EXPECT_FALSE(isSimple && meet);
-    simple += isSimple ? 1 : 0;
-  }
-  EXPECT_GT(simple, 200);
 }

@@ -34,6 +34,14 @@ Point3 Lift(const PlanarCurves& set, Index vertex)
   return { set.Vertices[vertex][0], set.Vertices[vertex][1], 0.0 };
 }
 
+/// Whether the segment from b to c runs back along that from a to b, or one of them is a point.
+bool FoldsBack(const Point2& a, const Point2& b, const Point2& c)
+{
+  return ExactTurn({ a[0], a[1], 0.0 }, { b[0], b[1], 0.0 }, { c[0], c[1], 0.0 }, 2) == 0 &&
+    ((a[0] - b[0]) * (c[0] - b[0]) > 0.0 || (a[1] - b[1]) * (c[1] - b[1]) > 0.0 || a == b ||
+      b == c);
+}
+
 /// Compares all segments with each other, by the tests' own predicates.
 bool DoMeet(const PlanarCurves& set)
 {
@@ -42,6 +50,10 @@ bool DoMeet(const PlanarCurves& set)
     const std::vector<Index>& p = set.Curves[a];
     for (std::size_t i = 0; i + 1 < p.size(); ++i)
     {
+      if (i > 0 && FoldsBack(set.Vertices[p[i - 1]], set.Vertices[p[i]], set.Vertices[p[i + 1]]))
+      {
+        return true;
+      }
       for (std::size_t b = a; b < set.Curves.size(); ++b)
       {
         const std::vector<Index>& q = set.Curves[b];
@@ -85,6 +97,51 @@ double Length(const PlanarCurves& set)
   }
   return length;
 }
+}
+
+//----------------------------------------------------------------------------
+TEST(AreSimple, IfNothingTouches)
+{
+  const auto areSimple = [](const std::vector<std::vector<Point2>>& curves)
+  {
+    PlanarCurves set = MakeCurves(curves);
+    return AreSimple(set);
+  };
+  EXPECT_TRUE(areSimple({ { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 1 } } }));
+  EXPECT_TRUE(areSimple({ { { 0, 0 }, { 1, 0 } }, { { 0, 1 }, { 1, 1 } } }));
+  EXPECT_FALSE(areSimple({ { { 0, 0 }, { 1, 0 }, { 0, 0 } } }));            // back
+  EXPECT_FALSE(areSimple({ { { 0, 0 }, { 2, 0 }, { 1, 0 } } }));            // partly
+  EXPECT_FALSE(areSimple({ { { 0, 0 }, { 0, 0 }, { 1, 0 } } }));            // twice
+  EXPECT_FALSE(areSimple({ { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 0 } } }));  // closed
+  EXPECT_FALSE(areSimple({ { { 0, 0 }, { 2, 0 }, { 2, 2 }, { 1, -1 } } })); // crosses
+  EXPECT_FALSE(areSimple({ { { 0, 0 }, { 2, 0 } }, { { 1, 0 }, { 1, 1 } } }));
+  EXPECT_FALSE(areSimple({ { { 0, 0 }, { 2, 0 } }, { { 0, 0 }, { 2, 1 } } }));
+}
+
+//----------------------------------------------------------------------------
+TEST(AreSimple, AsByComparingAllPairs)
+{
+  Random random(7);
+  int simple = 0;
+  for (int run = 0; run < 5000; ++run)
+  {
+    std::vector<std::vector<Point2>> curves(1 + random.Below(3));
+    for (auto& curve : curves)
+    {
+      for (std::size_t i = 2 + random.Below(3); i > 0; --i)
+      {
+        // On a coarse lattice half of the time.
+        const double step = run % 2 == 0 ? 0.25 : 1e-9;
+        curve.push_back({ step * std::round(random.Uniform(0.0, 1.0) / step),
+          step * std::round(random.Uniform(0.0, 1.0) / step) });
+      }
+    }
+    PlanarCurves set = MakeCurves(curves);
+    const bool isSimple = AreSimple(set);
+    EXPECT_EQ(isSimple, !DoMeet(set));
+    simple += isSimple ? 1 : 0;
+  }
+  EXPECT_GT(simple, 200);
 }
 
 //----------------------------------------------------------------------------
