@@ -101,38 +101,93 @@ Point3 CellShells::PointOf(Index point) const
   return { p[0], p[1], p[2] };
 }
 
-using Fan = std::vector<std::array<Point3, 3>>;
-
-bool FansMayCross(const Fan& a, const Fan& b)
+/// A triangle of a patch, its corners' places in a list of all points of the cell, and its box.
+struct PatchTriangle
 {
-  return std::any_of(a.begin(), a.end(),
-    [&](const auto& s) {
-      return std::any_of(b.begin(), b.end(), [&](const auto& t) { return !CertainlyApart(s, t); });
-    });
+  PatchTriangle(Index patch, const std::array<Point3, 3>& corners, const std::array<Index, 3>& ids)
+    : Patch(patch)
+    , Corners(corners)
+    , Ids(ids)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto range = std::minmax({ corners[0][i], corners[1][i], corners[2][i] });
+      this->Low[i] = range.first;
+      this->High[i] = range.second;
+    }
+  }
+  bool BoxMeets(const PatchTriangle& other, int axis) const
+  {
+    return this->Low[axis] <= other.High[axis] && other.Low[axis] <= this->High[axis];
+  }
+
+  Index Patch;
+  std::array<Point3, 3> Corners;
+  std::array<Index, 3> Ids;
+  Point3 Low, High;
+};
+
+/// Whether two triangles certainly meet in their common corners only.
+bool AreCompatible(const PatchTriangle& a, const PatchTriangle& b)
+{
+  if (!a.BoxMeets(b, 1) || !a.BoxMeets(b, 2))
+  {
+    return true;
+  }
+  std::vector<int> commonOfA, commonOfB;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      if (a.Ids[i] == b.Ids[j])
+      {
+        commonOfA.push_back(i);
+        commonOfB.push_back(j);
+      }
+    }
+  }
+  return commonOfA.empty() ? CertainlyApart(a.Corners, b.Corners)
+                           : CertainlyApartBeyond(commonOfA, a.Corners, commonOfB, b.Corners);
 }
 
+/// Whether all triangles that the filter compares are compatible. Sorts them along x.
+template <typename Filter>
+bool AreAllCompatible(std::vector<PatchTriangle>& triangles, Filter&& isCompared)
+{
+  std::sort(triangles.begin(), triangles.end(),
+    [](const PatchTriangle& a, const PatchTriangle& b) { return a.Low[0] < b.Low[0]; });
+  for (auto a = triangles.begin(); a != triangles.end(); ++a)
+  {
+    for (auto b = a + 1; b != triangles.end() && b->Low[0] <= a->High[0]; ++b)
+    {
+      if (isCompared(*a, *b) && !AreCompatible(*a, *b))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Whether fans of different cycles may cross. A fan cannot cross itself.
 bool CellShells::MayCross(const Index* first, const Index* last, const std::vector<double>& centers)
 {
-  std::vector<Fan> fans;
+  std::vector<PatchTriangle> triangles;
   std::vector<Index> border, places;
   for (const Index* cycle = first; cycle != last; ++cycle)
   {
     GetBoundary(this->Graph, this->Lattice, this->Nodes, this->Polygons, *cycle, border, places);
     const double* c = centers.data() + 3 * static_cast<std::size_t>(*cycle);
     const Point3 center{ c[0], c[1], c[2] };
-    Fan fan;
     for (std::size_t i = 0; i < border.size(); ++i)
     {
-      fan.push_back(
-        { center, this->PointOf(border[i]), this->PointOf(border[(i + 1) % border.size()]) });
+      const Index j = border[(i + 1) % border.size()];
+      triangles.push_back({ *cycle, { center, this->PointOf(border[i]), this->PointOf(j) },
+        { -1 - *cycle, border[i], j } });
     }
-    if (std::any_of(fans.begin(), fans.end(), [&](const Fan& f) { return FansMayCross(f, fan); }))
-    {
-      return true;
-    }
-    fans.push_back(std::move(fan));
   }
-  return false;
+  return !AreAllCompatible(
+    triangles, [](const PatchTriangle& a, const PatchTriangle& b) { return a.Patch != b.Patch; });
 }
 
 CellCycle CellShells::Describe(Index cycle) const
@@ -479,36 +534,10 @@ void CellShells::Build(const Index* first, const Index* last, std::vector<ShellP
   }
 }
 
-/// A triangle of a shell with its corners' places in a list of all points of the cell's shells.
-struct ShellTriangle
-{
-  std::array<Point3, 3> Corners;
-  std::array<Index, 3> Ids;
-};
-
-/// Whether two triangles certainly meet in their common corners only.
-bool AreCompatible(const ShellTriangle& a, const ShellTriangle& b)
-{
-  std::vector<int> commonOfA, commonOfB;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      if (a.Ids[i] == b.Ids[j])
-      {
-        commonOfA.push_back(i);
-        commonOfB.push_back(j);
-      }
-    }
-  }
-  return commonOfA.empty() ? CertainlyApart(a.Corners, b.Corners)
-                           : CertainlyApartBeyond(commonOfA, a.Corners, commonOfB, b.Corners);
-}
-
 /// Whether rounding has left all triangles with an area, and apart but for common corners.
 bool CellShells::AreCertainlyApart(const std::vector<ShellPatch>& shells) const
 {
-  std::vector<ShellTriangle> triangles;
+  std::vector<PatchTriangle> triangles;
   std::vector<Index> border, places;
   Index firstId = 0;
   for (const ShellPatch& shell : shells)
@@ -516,43 +545,26 @@ bool CellShells::AreCertainlyApart(const std::vector<ShellPatch>& shells) const
     GetBoundary(
       this->Graph, this->Lattice, this->Nodes, this->Polygons, shell.Cycle, border, places);
     const Index size = static_cast<Index>(border.size());
-    for (const auto& corners : shell.Triangles)
+    for (const auto& triangle : shell.Triangles)
     {
-      ShellTriangle triangle;
+      std::array<Point3, 3> corners;
+      std::array<Index, 3> ids;
       for (int i = 0; i < 3; ++i)
       {
-        const Index corner = corners[i];
-        triangle.Corners[i] =
-          corner >= 0 ? this->PointOf(border[corner]) : shell.Points[-1 - corner];
-        triangle.Ids[i] = firstId + (corner >= 0 ? corner : size - 1 - corner);
+        const Index place = triangle[i];
+        corners[i] = place >= 0 ? this->PointOf(border[place]) : shell.Points[-1 - place];
+        ids[i] = firstId + (place >= 0 ? place : size - 1 - place);
       }
-      triangles.push_back(triangle);
-    }
-    firstId += size + static_cast<Index>(shell.Points.size());
-  }
-  const auto low = [](const ShellTriangle& t) {
-    return std::min({ t.Corners[0][0], t.Corners[1][0], t.Corners[2][0] });
-  };
-  const auto high = [](const ShellTriangle& t) {
-    return std::max({ t.Corners[0][0], t.Corners[1][0], t.Corners[2][0] });
-  };
-  std::sort(triangles.begin(), triangles.end(),
-    [&](const ShellTriangle& a, const ShellTriangle& b) { return low(a) < low(b); });
-  for (auto a = triangles.begin(); a != triangles.end(); ++a)
-  {
-    if (HasNoArea(a->Corners))
-    {
-      return false;
-    }
-    for (auto b = a + 1; b != triangles.end() && low(*b) <= high(*a); ++b)
-    {
-      if (!AreCompatible(*a, *b))
+      if (HasNoArea(corners))
       {
         return false;
       }
+      triangles.push_back({ shell.Cycle, corners, ids });
     }
+    firstId += size + static_cast<Index>(shell.Points.size());
   }
-  return true;
+  return AreAllCompatible(
+    triangles, [](const PatchTriangle&, const PatchTriangle&) { return true; });
 }
 
 /// Whether the triangle at a vertex turns left and has no other vertex inside or on its border.

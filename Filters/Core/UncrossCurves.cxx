@@ -32,6 +32,22 @@ struct Contact
   Index Remove;
 };
 
+/// Where two curves cross: the segment and the share of its length, on each of them.
+struct Crossing
+{
+  std::pair<Index, double> OnFirst, OnSecond;
+};
+
+/// The share of pq up to its crossing with rs.
+double ShareAtCrossing(const Point2& p, const Point2& q, const Point2& r, const Point2& s)
+{
+  const double du = s[0] - r[0];
+  const double dv = s[1] - r[1];
+  const double from = (p[0] - r[0]) * dv - (p[1] - r[1]) * du;
+  const double to = (q[0] - r[0]) * dv - (q[1] - r[1]) * du;
+  return from / (from - to);
+}
+
 class Untangler
 {
 public:
@@ -56,7 +72,12 @@ private:
   double GainOfRemoving(Index vertex) const;
 
   bool Apply(const Contact& contact);
-  void Uncross(const std::array<Index, 2>& first, const std::array<Index, 2>& second);
+  Index PlaceOf(const std::array<Index, 2>& pair) const;
+  void Uncross(const Contact& contact);
+  void Reverse(const Contact& contact);
+  std::vector<Crossing> CrossingsOf(Index one, Index other);
+  void ExchangeParts(Index one, Index other, const Crossing& first, const Crossing& second);
+  void ExchangeRests(Index one, Index other, const Crossing& crossing);
   void Remove(Index vertex);
   double Length() const;
 
@@ -241,29 +262,119 @@ double Untangler::GainOfRemoving(Index vertex) const
     Distance(before, after);
 }
 
-void Untangler::Uncross(const std::array<Index, 2>& first, const std::array<Index, 2>& second)
+/// The place of the first of two neighbours on their curve.
+Index Untangler::PlaceOf(const std::array<Index, 2>& pair) const
 {
-  const auto inOrder = [this](const std::array<Index, 2>& pair)
-  { return std::min(this->Place[pair[0]], this->Place[pair[1]]) + 1; };
-  const Index i = inOrder(first);
-  const Index j = inOrder(second);
-  const Index one = this->Curve[first[0]];
-  const Index other = this->Curve[second[0]];
+  return std::min(this->Place[pair[0]], this->Place[pair[1]]);
+}
+
+/// Passes the part of a curve between two segments of it the other way.
+void Untangler::Reverse(const Contact& contact)
+{
+  const Index curve = this->Curve[contact.First[0]];
+  const Index i = this->PlaceOf(contact.First) + 1;
+  const Index j = this->PlaceOf(contact.Second) + 1;
+  std::vector<Index>& vertices = this->Set.Curves[curve];
+  std::reverse(vertices.begin() + std::min(i, j), vertices.begin() + std::max(i, j));
+  this->Renumber(curve, std::min(i, j));
+}
+
+/// The crossings of two curves, in their order along the first.
+std::vector<Crossing> Untangler::CrossingsOf(Index one, Index other)
+{
+  this->Work += this->Contacts.size();
+  std::vector<Crossing> crossings;
+  const std::vector<Index>& a = this->Set.Curves[one];
+  const std::vector<Index>& b = this->Set.Curves[other];
+  for (const Contact& contact : this->Contacts)
+  {
+    if (!contact.Cross || !this->AreNeighbours(contact.First) ||
+      !this->AreNeighbours(contact.Second))
+    {
+      continue;
+    }
+    const std::array<Index, 2> curves{ this->Curve[contact.First[0]],
+      this->Curve[contact.Second[0]] };
+    const bool inOrder = curves[0] == one && curves[1] == other;
+    if (inOrder || (curves[0] == other && curves[1] == one))
+    {
+      const Index i = this->PlaceOf(inOrder ? contact.First : contact.Second);
+      const Index j = this->PlaceOf(inOrder ? contact.Second : contact.First);
+      const Point2& p = this->At(a[i]);
+      const Point2& q = this->At(a[i + 1]);
+      const Point2& r = this->At(b[j]);
+      const Point2& s = this->At(b[j + 1]);
+      crossings.push_back(
+        { { i, ShareAtCrossing(p, q, r, s) }, { j, ShareAtCrossing(r, s, p, q) } });
+    }
+  }
+  std::sort(crossings.begin(), crossings.end(),
+    [](const Crossing& x, const Crossing& y)
+    { return x.OnFirst != y.OnFirst ? x.OnFirst < y.OnFirst : x.OnSecond < y.OnSecond; });
+  return crossings;
+}
+
+/// Exchanges the parts of two curves between two crossings, so that their ends stay together.
+void Untangler::ExchangeParts(Index one, Index other, const Crossing& first, const Crossing& second)
+{
   std::vector<Index>& a = this->Set.Curves[one];
+  std::vector<Index>& b = this->Set.Curves[other];
+  const bool sameWay = first.OnSecond < second.OnSecond;
+  const Index j = std::min(first.OnSecond.first, second.OnSecond.first) + 1;
+  const auto beginA = a.begin() + first.OnFirst.first + 1;
+  const auto endA = a.begin() + second.OnFirst.first + 1;
+  const auto beginB = b.begin() + j;
+  const auto endB = b.begin() + std::max(first.OnSecond.first, second.OnSecond.first) + 1;
+  std::vector<Index> partA(beginA, endA);
+  std::vector<Index> partB(beginB, endB);
+  if (!sameWay)
+  {
+    std::reverse(partA.begin(), partA.end());
+    std::reverse(partB.begin(), partB.end());
+  }
+  a.insert(a.erase(beginA, endA), partB.begin(), partB.end());
+  b.insert(b.erase(beginB, endB), partA.begin(), partA.end());
+  this->Renumber(one, first.OnFirst.first);
+  this->Renumber(other, j);
+}
+
+/// Exchanges all that follows on two curves.
+void Untangler::ExchangeRests(Index one, Index other, const Crossing& crossing)
+{
+  std::vector<Index>& a = this->Set.Curves[one];
+  std::vector<Index>& b = this->Set.Curves[other];
+  const auto restOfA = a.begin() + crossing.OnFirst.first + 1;
+  const auto restOfB = b.begin() + crossing.OnSecond.first + 1;
+  const std::vector<Index> tail(restOfA, a.end());
+  a.erase(restOfA, a.end());
+  a.insert(a.end(), restOfB, b.end());
+  b.erase(restOfB, b.end());
+  b.insert(b.end(), tail.begin(), tail.end());
+  this->Renumber(one, crossing.OnFirst.first);
+  this->Renumber(other, crossing.OnSecond.first);
+}
+
+void Untangler::Uncross(const Contact& contact)
+{
+  const Index one = this->Curve[contact.First[0]];
+  const Index other = this->Curve[contact.Second[0]];
   if (one == other)
   {
-    std::reverse(a.begin() + std::min(i, j), a.begin() + std::max(i, j));
-    this->Renumber(one, std::min(i, j));
+    this->Reverse(contact);
     return;
   }
-  std::vector<Index>& b = this->Set.Curves[other];
-  const std::vector<Index> tail(a.begin() + i, a.end());
-  a.resize(i);
-  a.insert(a.end(), b.begin() + j, b.end());
-  b.resize(j);
-  b.insert(b.end(), tail.begin(), tail.end());
-  this->Renumber(one, i);
-  this->Renumber(other, j);
+  const std::vector<Crossing> crossings = this->CrossingsOf(one, other);
+  if (crossings.size() == 1)
+  {
+    this->ExchangeRests(one, other, crossings.front());
+    return;
+  }
+  const Index i = this->PlaceOf(contact.First);
+  const Index j = this->PlaceOf(contact.Second);
+  const auto here = std::find_if(crossings.begin(), crossings.end(),
+    [&](const Crossing& c) { return c.OnFirst.first == i && c.OnSecond.first == j; });
+  const auto first = here + 1 != crossings.end() ? here : here - 1;
+  this->ExchangeParts(one, other, *first, *(first + 1));
 }
 
 void Untangler::Remove(Index vertex)
@@ -306,7 +417,7 @@ bool Untangler::Apply(const Contact& contact)
     }
   }
   ++this->Result.Changes;
-  contact.Cross ? this->Uncross(contact.First, contact.Second) : this->Remove(contact.Remove);
+  contact.Cross ? this->Uncross(contact) : this->Remove(contact.Remove);
   return true;
 }
 

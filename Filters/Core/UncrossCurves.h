@@ -31,7 +31,8 @@ struct Uncrossing
  * salesman heuristics (G. A. Croes, "A Method for Solving Traveling-Salesman Problems", 1958).
  *
  * Where two segments ab and cd of one curve cross, the part between them is passed the other way
- * (ac, bd); where they belong to two curves, these exchange what follows (ad, cb). No vertex moves
+ * (ac, bd). Two curves that cross twice exchange the parts between the crossings, so that their
+ * ends stay together; if they cross once, they exchange all that follows (ad, cb). No vertex moves
  * or is lost, starts stay starts and ends stay ends, and every move makes the curves shorter, so
  * that it comes to an end. A vertex that lies on another segment, or at which a curve folds back
  * on itself, is left out, but for the first and the last one of a curve.

@@ -188,6 +188,30 @@ TEST(UncrossCurves, ExchangesTheRestsOfTwoCurves)
 }
 
 //----------------------------------------------------------------------------
+/// The two sides of a thin part, drawn so that they overlap: whichever way they run, each keeps its
+/// ends.
+TEST(UncrossCurves, ExchangesThePartsBetweenTwoCrossings)
+{
+  PlanarCurves set = MakeCurves(
+    { { { 0, 0 }, { 2, 2 }, { 3, 2 }, { 5, 0 } }, { { 0, 1 }, { 2, 0 }, { 3, 0 }, { 5, 1 } } });
+  EXPECT_TRUE(UncrossCurves(set).Simple);
+  EXPECT_EQ(set.Curves[0], std::vector<Index>({ 0, 5, 6, 3 }));
+  EXPECT_EQ(set.Curves[1], std::vector<Index>({ 4, 1, 2, 7 }));
+
+  set = MakeCurves(
+    { { { 0, 0 }, { 2, 2 }, { 3, 2 }, { 5, 0 } }, { { 5, 1 }, { 3, 0 }, { 2, 0 }, { 0, 1 } } });
+  EXPECT_TRUE(UncrossCurves(set).Simple);
+  EXPECT_EQ(set.Curves[0], std::vector<Index>({ 0, 6, 5, 3 }));
+  EXPECT_EQ(set.Curves[1], std::vector<Index>({ 4, 2, 1, 7 }));
+
+  // Both crossings on one segment.
+  set = MakeCurves({ { { 0, 0 }, { 6, 0 } }, { { 0, 1 }, { 2, -1 }, { 4, -1 }, { 6, 1 } } });
+  EXPECT_TRUE(UncrossCurves(set).Simple);
+  EXPECT_EQ(set.Curves[0], std::vector<Index>({ 0, 3, 4, 1 }));
+  EXPECT_EQ(set.Curves[1], std::vector<Index>({ 2, 5 }));
+}
+
+//----------------------------------------------------------------------------
 TEST(UncrossCurves, LeavesOutVerticesThatTouch)
 {
   // The vertex of one curve on the other; a fold; a copy.
