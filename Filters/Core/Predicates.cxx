@@ -136,6 +136,14 @@ bool CertainlyMisses(const Point3& p, const Point3& q, const std::array<Point3, 
   return (left > 0 && right > 0) || ProjectionsApart(std::array<Point3, 2>{ p, q }, t);
 }
 
+/// Whether t lies on one side of the plane of s.
+bool PlaneSeparates(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
+{
+  const int side = CertainSide(s[0], s[1], s[2], t[0]);
+  return side != 0 && side == CertainSide(s[0], s[1], s[2], t[1]) &&
+    side == CertainSide(s[0], s[1], s[2], t[2]);
+}
+
 bool BoxesApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
 {
   for (int i = 0; i < 3; ++i)
@@ -153,7 +161,8 @@ bool BoxesApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
 
 bool CertainlyApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
 {
-  if (BoxesApart(s, t) || ProjectionsApart(s, t))
+  // The cheapest tests first; projections of points on faces of a cell need exact arithmetic.
+  if (BoxesApart(s, t) || PlaneSeparates(s, t) || PlaneSeparates(t, s) || ProjectionsApart(s, t))
   {
     return true;
   }
