@@ -62,7 +62,6 @@ std::string ToString(vtkPolyData* surface)
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(surface);
   writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToNone();
   writer->WriteToOutputStringOn();
   if (!writer->Write())
