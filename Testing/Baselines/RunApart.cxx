@@ -61,7 +61,7 @@ std::string ToString(vtkPolyData* surface)
   }
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(surface);
-  writer->SetDataModeToAppended();
+  writer->SetDataModeToBinary();
   writer->SetCompressorTypeToNone();
   writer->WriteToOutputStringOn();
   if (!writer->Write())
