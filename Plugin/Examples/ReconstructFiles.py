@@ -94,7 +94,9 @@ def main(x, y, z, surface_file, picture, plugin=None, width=1600):
     load_plugin(plugin)
     readers, surface = reconstruct((x, y, z))
     report(surface)
-    simple.SaveData(surface_file, proxy=simple.OutputPort(surface, 0))
+    # Appended data, the default, cannot be read again by Debian's ParaView with today's expat.
+    options = {"DataMode": "Binary"} if surface_file.endswith(".vtp") else {}
+    simple.SaveData(surface_file, proxy=simple.OutputPort(surface, 0), **options)
     save_picture(readers, surface, picture, [int(width), int(width) // 2])
 
 
