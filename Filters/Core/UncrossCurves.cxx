@@ -9,8 +9,10 @@ namespace orthoslices
 {
 namespace
 {
-/// Pairs compared and vertices moved for each vertex before we give up.
+/// Pairs compared and vertices moved for each vertex before we give up, between two rounds.
 constexpr std::size_t MostWorkPerVertex = 1 << 12;
+/// Pairs that overlap along x, for each segment, from which on it is worth trying y.
+constexpr std::size_t ManyOverlapsPerSegment = 16;
 /// Contacts for each vertex that are listed before the first of them are dealt with.
 constexpr std::size_t MostContactsPerVertex = 16;
 
@@ -53,7 +55,7 @@ class Untangler
 public:
   explicit Untangler(PlanarCurves& curves);
   Uncrossing Run();
-  bool IsSimple() { return this->FindContacts(0) && this->Contacts.empty(); }
+  bool IsSimple();
 
 private:
   static constexpr Index None = -1;
@@ -64,7 +66,7 @@ private:
   void Renumber(Index curve, std::size_t first);
 
   std::vector<Segment> ListSegments() const;
-  bool FindContacts(std::size_t most);
+  void FindContacts(std::size_t most);
   void Compare(const Segment& a, const Segment& b);
   void AddFold(const Segment& a, const Segment& b);
   void AddTouch(const Segment& a, const Segment& b);
@@ -138,33 +140,70 @@ std::vector<Segment> Untangler::ListSegments() const
   return segments;
 }
 
-/// Lists contacts until there are more than `most`. False if that would take too long.
-bool Untangler::FindContacts(std::size_t most)
+/// Sorts segments by where they begin along an axis. Returns how many pairs overlap along it.
+std::size_t SortAlong(int axis, std::vector<Segment>& segments)
+{
+  std::sort(segments.begin(), segments.end(),
+    [axis](const Segment& a, const Segment& b)
+    { return a.Low[axis] != b.Low[axis] ? a.Low[axis] < b.Low[axis] : a.Start < b.Start; });
+  std::size_t overlaps = 0;
+  for (auto segment = segments.begin(); segment != segments.end(); ++segment)
+  {
+    const auto end = std::upper_bound(segment + 1, segments.end(), segment->High[axis],
+      [axis](double high, const Segment& other) { return high < other.Low[axis]; });
+    overlaps += end - segment - 1;
+  }
+  return overlaps;
+}
+
+/**
+ * Sorts segments along the axis on which fewer of them overlap, and returns it: all segments of
+ * curves that run along y overlap along x.
+ */
+int SortForSweep(std::vector<Segment>& segments)
+{
+  const std::size_t alongX = SortAlong(0, segments);
+  if (alongX <= ManyOverlapsPerSegment * segments.size())
+  {
+    return 0;
+  }
+  if (SortAlong(1, segments) < alongX)
+  {
+    return 1;
+  }
+  SortAlong(0, segments);
+  return 0;
+}
+
+/**
+ * Lists contacts until there are more than `most`. However long it takes: what is not known to
+ * touch must not be changed.
+ */
+void Untangler::FindContacts(std::size_t most)
 {
   this->Contacts.clear();
   std::vector<Segment> segments = this->ListSegments();
-  std::sort(segments.begin(), segments.end(),
-    [](const Segment& a, const Segment& b)
-    { return a.Low[0] != b.Low[0] ? a.Low[0] < b.Low[0] : a.Start < b.Start; });
-  const std::size_t mostWork = MostWorkPerVertex * this->Set.Vertices.size();
+  const int along = SortForSweep(segments);
+  const int across = 1 - along;
   for (std::size_t i = 0; i < segments.size() && this->Contacts.size() <= most; ++i)
   {
     const Segment& a = segments[i];
-    for (std::size_t j = i + 1; j < segments.size() && segments[j].Low[0] <= a.High[0]; ++j)
+    for (std::size_t j = i + 1; j < segments.size() && segments[j].Low[along] <= a.High[along]; ++j)
     {
       const Segment& b = segments[j];
       ++this->Work;
-      if (b.Low[1] <= a.High[1] && a.Low[1] <= b.High[1])
+      if (b.Low[across] <= a.High[across] && a.Low[across] <= b.High[across])
       {
         this->Compare(a, b);
       }
     }
-    if (this->Work > mostWork)
-    {
-      return false;
-    }
   }
-  return true;
+}
+
+bool Untangler::IsSimple()
+{
+  this->FindContacts(0);
+  return this->Contacts.empty();
 }
 
 void Untangler::Compare(const Segment& a, const Segment& b)
@@ -424,21 +463,20 @@ bool Untangler::Apply(const Contact& contact)
 Uncrossing Untangler::Run()
 {
   const double length = this->Length();
-  while (this->FindContacts(MostContactsPerVertex * this->Set.Vertices.size()))
+  const std::size_t vertices = this->Set.Vertices.size();
+  Index applied = 0;
+  do
   {
+    this->FindContacts(MostContactsPerVertex * vertices);
     std::stable_sort(this->Contacts.begin(), this->Contacts.end(),
       [](const Contact& a, const Contact& b) { return a.Gain > b.Gain; });
-    Index applied = 0;
+    applied = 0;
     for (const Contact& contact : this->Contacts)
     {
       applied += this->Apply(contact) ? 1 : 0;
     }
-    if (applied == 0)
-    {
-      this->Result.Simple = this->Contacts.empty();
-      break;
-    }
-  }
+  } while (applied > 0 && this->Work <= MostWorkPerVertex * vertices);
+  this->Result.Simple = this->Contacts.empty();
   this->Result.Shortening = length - this->Length();
   return this->Result;
 }

@@ -14,7 +14,7 @@ struct PlanarCurves
   std::vector<std::vector<Index>> Curves;
 };
 
-/// Whether no curve touches itself or another one.
+/// Whether no curve touches itself or another one. Never gives up.
 bool AreSimple(PlanarCurves& curves);
 
 /// Outcome of UncrossCurves.
@@ -38,8 +38,8 @@ struct Uncrossing
  * on itself, is left out, but for the first and the last one of a curve.
  *
  * The moves that shorten most come first, so that the result does not depend on the directions of
- * the axes. Gives up, with Simple unset, when two ends of curves touch or when the work is much
- * more than the number of vertices accounts for.
+ * the axes. Gives up, with Simple unset, when two ends of curves touch, or when moves go on after
+ * much more work than the number of vertices accounts for.
  */
 Uncrossing UncrossCurves(PlanarCurves& curves);
 }

@@ -83,6 +83,45 @@ std::size_t CountVertices(const PlanarCurves& set)
   return all.size();
 }
 
+/// Curves of 20 000 vertices side by side along y, from 0 to 1, each in a strip of this width.
+std::vector<std::vector<Point2>> DenseCurvesAlongY(double width)
+{
+  constexpr int count = 20000;
+  Random random(3);
+  std::vector<std::vector<Point2>> curves(2);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      curves[i].push_back({ i + width * random.Uniform(0.0, 1.0), k / (count - 1.0) });
+    }
+  }
+  return curves;
+}
+
+void ExchangeAxes(std::vector<std::vector<Point2>>& curves)
+{
+  for (std::vector<Point2>& curve : curves)
+  {
+    for (Point2& p : curve)
+    {
+      std::swap(p[0], p[1]);
+    }
+  }
+}
+
+void ExpectLeftAlone(const std::vector<std::vector<Point2>>& curves)
+{
+  PlanarCurves set = MakeCurves(curves);
+  const auto before = set.Curves;
+  EXPECT_TRUE(AreSimple(set));
+  const Uncrossing outcome = UncrossCurves(set);
+  EXPECT_TRUE(outcome.Simple);
+  EXPECT_EQ(outcome.Changes, 0);
+  EXPECT_EQ(outcome.Shortening, 0.0);
+  EXPECT_EQ(set.Curves, before);
+}
+
 double Length(const PlanarCurves& set)
 {
   double length = 0.0;
@@ -147,14 +186,50 @@ TEST(AreSimple, AsByComparingAllPairs)
 //----------------------------------------------------------------------------
 TEST(UncrossCurves, LeavesCurvesThatDoNotTouch)
 {
-  PlanarCurves set =
-    MakeCurves({ { { 0, 0 }, { 1, 1 }, { 2, 0 } }, { { 0, 1 }, { 1, 2 }, { 2, 1 } } });
-  const auto before = set.Curves;
-  const Uncrossing outcome = UncrossCurves(set);
-  EXPECT_TRUE(outcome.Simple);
-  EXPECT_EQ(outcome.Changes, 0);
-  EXPECT_EQ(outcome.Shortening, 0.0);
-  EXPECT_EQ(set.Curves, before);
+  ExpectLeftAlone({ { { 0, 0 }, { 1, 1 }, { 2, 0 } }, { { 0, 1 }, { 1, 2 }, { 2, 1 } } });
+}
+
+//----------------------------------------------------------------------------
+/// All segments of a curve overlap along one axis. A contour so dense is no contradiction.
+TEST(UncrossCurves, LeavesDenseCurvesThatDoNotTouch)
+{
+  for (const double width : { 0.0, 1e-9, 1e-4 })
+  {
+    auto curves = DenseCurvesAlongY(width);
+    ExpectLeftAlone(curves);
+    ExchangeAxes(curves);
+    ExpectLeftAlone(curves);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Half of the segments overlap along x, the other half along y. That takes long, and is done.
+TEST(UncrossCurves, LeavesADenseCurveAroundACorner)
+{
+  auto curves = DenseCurvesAlongY(0.0);
+  curves.pop_back();
+  for (int k = 1; k <= 20000; ++k)
+  {
+    curves[0].push_back({ k / 20000.0, 1.0 });
+  }
+  ExpectLeftAlone(curves);
+}
+
+//----------------------------------------------------------------------------
+TEST(UncrossCurves, TakesDenseCurvesApartThatCross)
+{
+  auto curves = DenseCurvesAlongY(1e-4);
+  for (int turn = 0; turn < 2; ++turn)
+  {
+    PlanarCurves set = MakeCurves(curves);
+    std::swap(set.Curves[0][5000], set.Curves[0][5001]);
+    std::swap(set.Curves[1][7000], set.Curves[1][7100]);
+    EXPECT_FALSE(AreSimple(set));
+    EXPECT_TRUE(UncrossCurves(set).Simple);
+    EXPECT_TRUE(AreSimple(set));
+    EXPECT_EQ(CountVertices(set), set.Vertices.size());
+    ExchangeAxes(curves);
+  }
 }
 
 //----------------------------------------------------------------------------
