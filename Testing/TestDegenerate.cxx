@@ -32,20 +32,6 @@ using namespace orthoslices::support;
 
 namespace
 {
-void RoundToFloat(PieceSets& sets)
-{
-  for (Pieces& pieces : sets)
-  {
-    for (std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
-    {
-      for (double& x : *values)
-      {
-        x = static_cast<float>(x);
-      }
-    }
-  }
-}
-
 struct Outcome
 {
   Reconstruction Core;

@@ -100,20 +100,6 @@ double SpacingOf(const PieceSets& sets)
   return spacing;
 }
 
-void RoundToFloat(PieceSets& sets)
-{
-  for (Pieces& pieces : sets)
-  {
-    for (std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
-    {
-      for (double& x : *values)
-      {
-        x = static_cast<float>(x);
-      }
-    }
-  }
-}
-
 /// The surface encloses what most slices have inside.
 void ExpectSides(const Input& input, const TriangleMesh& mesh)
 {

@@ -387,14 +387,7 @@ TEST(Guarantees, G1ToG6HoldInSinglePrecision)
   const auto check = [](Input input)
   {
     input.Settings.SinglePrecision = true;
-    for (Pieces& pieces : input.Sets)
-    {
-      for (std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
-      {
-        std::transform(values->begin(), values->end(), values->begin(),
-          [](double x) { return static_cast<double>(static_cast<float>(x)); });
-      }
-    }
+    RoundToFloat(input.Sets);
     TriangleMesh mesh = Result(input).Mesh;
     for (Point3& p : mesh.Points)
     {

@@ -9,6 +9,7 @@
 
 #include "Fuzz/CheckEmbedding.h"
 #include "Fuzz/ReduceInput.h"
+#include "Support/Perturbations.h"
 
 #include <gtest/gtest.h>
 
@@ -37,16 +38,7 @@ void ExpectNoFlaws(const std::string& text, Options options)
 {
   PieceSets sets = ParsePieces(text);
   EXPECT_EQ(FindFlaws(sets, options), "");
-  for (Pieces& pieces : sets)
-  {
-    for (std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
-    {
-      for (double& x : *values)
-      {
-        x = static_cast<float>(x);
-      }
-    }
-  }
+  RoundToFloat(sets);
   options.SinglePrecision = true;
   EXPECT_EQ(FindFlaws(sets, options), "");
 }

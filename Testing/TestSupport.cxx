@@ -246,3 +246,17 @@ TEST(Perturbations, ThreeQuarterTurnsOfTheAxesAreNone)
   ExchangeXAndY(sets);
   EXPECT_EQ(ToText(sets), "x=3: 0,0 0,1 4,1\ny=1: 0,0 0,1 2,1\nz=5: 0,0 0,1 6,1\n");
 }
+
+//----------------------------------------------------------------------------
+TEST(Perturbations, RoundedToFloatAllCoordinatesAreFloats)
+{
+  PieceSets sets =
+    ParsePieces("x=0.1: 0.2,0.3 1,0.7 1,2.1\ny=0.3: 0.1,0 1,0.7 1,4; z=5: 0,0 1,0 1,6");
+  RoundToFloat(sets);
+  EXPECT_EQ(sets[0].W, std::vector<double>(3, 0.1f));
+  EXPECT_EQ(sets[0].U, (std::vector<double>{ 0.2f, 1.0, 1.0 }));
+  EXPECT_EQ(sets[0].V, (std::vector<double>{ 0.3f, 0.7f, 2.1f }));
+  EXPECT_EQ(sets[1].W, std::vector<double>(3, 0.3f));
+  EXPECT_EQ(sets[1].U, (std::vector<double>{ 0.1f, 1.0, 1.0 }));
+  EXPECT_EQ(sets[2].V, (std::vector<double>{ 0.0, 0.0, 6.0 }));
+}

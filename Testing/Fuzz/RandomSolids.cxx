@@ -11,6 +11,7 @@
 
 #include "Fuzz/CheckEmbedding.h"
 #include "Fuzz/ReduceInput.h"
+#include "Support/Perturbations.h"
 #include "Support/RandomInput.h"
 
 #include <chrono>
@@ -23,21 +24,6 @@ using namespace orthoslices::support;
 
 namespace
 {
-/// The coordinates that are left of it in float.
-void RoundToFloat(PieceSets& sets)
-{
-  for (Pieces& pieces : sets)
-  {
-    for (std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
-    {
-      for (double& x : *values)
-      {
-        x = static_cast<float>(x);
-      }
-    }
-  }
-}
-
 Input MakeInput(std::uint64_t number)
 {
   // Every fourth one agrees.

@@ -204,6 +204,20 @@ void ReverseContours(PieceSets& sets, double share, std::uint64_t seed)
   }
 }
 
+void RoundToFloat(PieceSets& sets)
+{
+  for (Pieces& pieces : sets)
+  {
+    for (std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
+    {
+      for (double& x : *values)
+      {
+        x = static_cast<float>(x);
+      }
+    }
+  }
+}
+
 void ShufflePieces(PieceSets& sets, std::uint64_t seed)
 {
   Random random(seed);

@@ -44,6 +44,9 @@ void ThinOut(Pieces& pieces, Index every);
 /// Reverses about this share of the contours.
 void ReverseContours(PieceSets& sets, double share, std::uint64_t seed);
 
+/// Leaves of every coordinate what a float holds of it.
+void RoundToFloat(PieceSets& sets);
+
 /// Another order of the pieces and another first vertex of each closed one.
 void ShufflePieces(PieceSets& sets, std::uint64_t seed);
 
