@@ -143,26 +143,12 @@ bool PlaneSeparates(const std::array<Point3, 3>& s, const std::array<Point3, 3>&
   return side != 0 && side == CertainSide(s[0], s[1], s[2], t[1]) &&
     side == CertainSide(s[0], s[1], s[2], t[2]);
 }
-
-bool BoxesApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    const auto a = std::minmax({ s[0][i], s[1][i], s[2][i] });
-    const auto b = std::minmax({ t[0][i], t[1][i], t[2][i] });
-    if (a.second < b.first || b.second < a.first)
-    {
-      return true;
-    }
-  }
-  return false;
-}
 }
 
 bool CertainlyApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
 {
   // The cheapest tests first; projections of points on faces of a cell need exact arithmetic.
-  if (BoxesApart(s, t) || PlaneSeparates(s, t) || PlaneSeparates(t, s) || ProjectionsApart(s, t))
+  if (PlaneSeparates(s, t) || PlaneSeparates(t, s) || ProjectionsApart(s, t))
   {
     return true;
   }

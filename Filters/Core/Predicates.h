@@ -35,7 +35,8 @@ inline int SideOf(const Point2& p, const Point2& q, const Point2& r)
 /// certain.
 int CertainSide(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
-/// Whether two closed triangles certainly have no point in common.
+/// Whether two closed triangles certainly have no point in common. Whether their boxes have is for
+/// the caller to find out before, at less cost.
 bool CertainlyApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t);
 
 /// The same for two triangles that have the given corners of s in common, beyond these corners.
