@@ -120,10 +120,7 @@ void CountContours(const Contours& contours, Reconstruction& result)
     ++result.ContourCount[axis];
   }
 }
-}
 
-namespace
-{
 /// Arcs of the given cycles.
 std::vector<Index> ArcsOf(const Cycles& polygons, const std::vector<Index>& cycles)
 {
