@@ -108,8 +108,6 @@ void WriteSliceTable(const Reconstruction& result, vtkTable* table)
       }
     }
   }
-  const Index firstRow[3] = { 0, result.Grid.Count(0),
-    result.Grid.Count(0) + result.Grid.Count(1) };
   for (const Repair& repair : result.Repairs)
   {
     vtkIdTypeArray* column = repair.Kind == RepairKind::VertexRelabelled ? overruled
@@ -117,7 +115,7 @@ void WriteSliceTable(const Reconstruction& result, vtkTable* table)
                                                                          : nullptr;
     if (column != nullptr)
     {
-      const vtkIdType row = firstRow[repair.Axis] + repair.Plane;
+      const vtkIdType row = result.Grid.SliceNumber(repair.Axis, repair.Plane);
       column->SetValue(row, column->GetValue(row) + (column == snipped ? 2 : 1));
     }
   }

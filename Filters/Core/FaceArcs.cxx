@@ -31,27 +31,11 @@ struct ArcInSlice
   Index Arc;
 };
 
-/// The slices of all axes, numbered through.
-class SliceNumbers
-{
-public:
-  explicit SliceNumbers(const SpatialGrid& grid)
-    : First{ 0, grid.Count(0), grid.Count(0) + grid.Count(1) }
-    , Count(grid.Count(0) + grid.Count(1) + grid.Count(2))
-  {
-  }
-  Index operator()(const Face& face) const { return this->First[face.Axis] + face.Plane; }
-
-  std::array<Index, 3> First;
-  Index Count;
-};
-
 /// The arcs that are not removed by slice: slice s has those from offsets[s] to offsets[s + 1] - 1.
 std::vector<ArcInSlice> GroupBySlice(const SpatialGrid& grid, const Crossings& crossings,
   const Execution& execution, std::vector<std::size_t>& offsets)
 {
   const GridEdgeCode code(grid);
-  const SliceNumbers numbers(grid);
   std::vector<ArcInSlice> inOrder(crossings.Count());
   std::vector<Index> slice(crossings.Count());
   execution.For(inOrder.size(),
@@ -61,11 +45,12 @@ std::vector<ArcInSlice> GroupBySlice(const SpatialGrid& grid, const Crossings& c
       {
         const Index arc = static_cast<Index>(i);
         const Face face = FaceOf(code, crossings, arc);
-        slice[i] = crossings.IsRemoved(arc) ? Crossings::Removed : numbers(face);
+        slice[i] =
+          crossings.IsRemoved(arc) ? Crossings::Removed : grid.SliceNumber(face.Axis, face.Plane);
         inOrder[i] = { SlabCode(face), arc };
       }
     });
-  offsets.assign(numbers.Count + 1, 0);
+  offsets.assign(grid.SliceNumber(2, grid.Count(2)) + 1, 0);
   for (const Index s : slice)
   {
     if (s != Crossings::Removed)

@@ -33,6 +33,13 @@ struct SpatialGrid
 
   Index Count(int axis) const { return static_cast<Index>(this->Planes[axis].size()); }
 
+  /// Number of a slice among those of all axes, x before y before z. That of z-slice Count(2), which
+  /// there is not, is how many there are.
+  Index SliceNumber(int axis, Index plane) const
+  {
+    return plane + (axis > 0 ? this->Count(0) : 0) + (axis > 1 ? this->Count(1) : 0);
+  }
+
   /// Slab of a coordinate: the number of planes that are not above it.
   Index Slab(int axis, double coordinate) const
   {

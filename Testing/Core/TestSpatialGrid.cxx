@@ -42,6 +42,21 @@ std::vector<double> PlanesAlongZ(const std::vector<double>& coordinates, double 
 }
 
 //----------------------------------------------------------------------------
+TEST(SpatialGrid, SlicesOfAllAxesAreNumberedThrough)
+{
+  SpatialGrid grid;
+  grid.Planes = { { { 1.0, 2.0, 3.0 }, { 1.0 }, { 1.0, 2.0 } } };
+  Index number = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (Index plane = 0; plane < grid.Count(axis); ++plane, ++number)
+    {
+      EXPECT_EQ(grid.SliceNumber(axis, plane), number);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
 TEST(SpatialGrid, CoordinateOnAPlaneLiesAboveIt)
 {
   SpatialGrid grid;
