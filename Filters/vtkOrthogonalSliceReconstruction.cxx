@@ -17,6 +17,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 vtkStandardNewMacro(vtkOrthogonalSliceReconstruction);
 
@@ -238,6 +239,16 @@ int vtkOrthogonalSliceReconstruction::RequestData(
     if (!(weight >= 0.0 && std::isfinite(weight)))
     {
       vtkErrorMacro("AxisWeights has " << weight << "; weights must be finite and not negative.");
+      return 0;
+    }
+  }
+  // NaN is neither below nor above the range to which tolerances are clamped.
+  for (const auto& tolerance : { std::make_pair("PlaneTolerance", this->PlaneTolerance),
+         std::make_pair("ReportTolerance", this->ReportTolerance) })
+  {
+    if (std::isnan(tolerance.second))
+    {
+      vtkErrorMacro(<< tolerance.first << " is not a number.");
       return 0;
     }
   }

@@ -144,7 +144,7 @@ public:
   /**
    * Largest distance of a contour's vertices from its plane, of two planes that are taken for
    * one, and of two end points that are joined, as a fraction of the diagonal of the bounding box
-   * of all inputs. Default 1e-5, range 0 to 0.1.
+   * of all inputs. Default 1e-5, range 0 to 0.1. NaN is an error.
    */
   vtkSetClampMacro(PlaneTolerance, double, 0.0, 0.1);
   vtkGetMacro(PlaneTolerance, double);
@@ -212,7 +212,8 @@ public:
   /**
    * Distance of two contours at a node point above which it is counted in the warning and marked
    * in the array "Repaired", and size ("RepairSize") above which a repair is reported, as a
-   * fraction of the diagonal of the bounding box of all inputs. Default 1e-3, range 0 to 1.
+   * fraction of the diagonal of the bounding box of all inputs. Default 1e-3, range 0 to 1. NaN is
+   * an error.
    */
   vtkSetClampMacro(ReportTolerance, double, 0.0, 1.0);
   vtkGetMacro(ReportTolerance, double);

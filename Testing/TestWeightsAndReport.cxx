@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   AxisWeights and ReportTolerance of vtkOrthogonalSliceReconstruction
+ * @brief   AxisWeights and tolerances of vtkOrthogonalSliceReconstruction
  *
  * What is trusted is judged from the contours alone: by distances to their segments and by
  * counting how often a ray crosses them.
@@ -371,6 +371,28 @@ TEST(AxisWeights, ThatAreNoWeightsAreAnError)
     }
   }
   run.Filter->SetAxisWeights(1.0, 1.0, 1.0);
+  EXPECT_GT(run.Update()->GetNumberOfCells(), 0);
+  EXPECT_TRUE(run.Errors.empty());
+}
+
+//----------------------------------------------------------------------------
+TEST(Tolerances, ThatAreNoNumbersAreAnError)
+{
+  FilterRun run(ParsePieces("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1\n"
+                            "z=0: -1,-1 1,-1 1,1 -1,1"));
+  const auto expectError = [&](const std::string& name)
+  {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(run.Update()->GetNumberOfCells(), 0);
+    ASSERT_GE(run.Errors.size(), 1u);
+    EXPECT_TRUE(Contains(run.Errors[0], name)) << run.Errors[0];
+  };
+  run.Filter->SetPlaneTolerance(std::nan(""));
+  expectError("PlaneTolerance");
+  run.Filter->SetPlaneTolerance(1e-5);
+  run.Filter->SetReportTolerance(std::nan(""));
+  expectError("ReportTolerance");
+  run.Filter->SetReportTolerance(1e-3);
   EXPECT_GT(run.Update()->GetNumberOfCells(), 0);
   EXPECT_TRUE(run.Errors.empty());
 }
