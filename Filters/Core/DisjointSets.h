@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesDisjointSets_h
+#define OrthoSlicesDisjointSets_h
+
+#include "Types.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace orthoslices
+{
+/// A partition of the numbers 0 to count - 1 that becomes coarser (union-find).
+class DisjointSets
+{
+public:
+  explicit DisjointSets(Index count)
+    : Parent(count)
+  {
+    std::iota(this->Parent.begin(), this->Parent.end(), 0);
+  }
+
+  /// The least number of the set of i.
+  Index Find(Index i)
+  {
+    while (this->Parent[i] != i)
+    {
+      this->Parent[i] = this->Parent[this->Parent[i]];
+      i = this->Parent[i];
+    }
+    return i;
+  }
+
+  /// False if both were in one set already.
+  bool Unite(Index i, Index j)
+  {
+    const Index a = this->Find(i);
+    const Index b = this->Find(j);
+    this->Parent[std::max(a, b)] = std::min(a, b);
+    return a != b;
+  }
+
+private:
+  std::vector<Index> Parent;
+};
+}
+
+#endif
