@@ -13,7 +13,8 @@ namespace orthoslices
 namespace
 {
 constexpr double MostMisfit = 0.12;  ///< of an ellipse, as a share of the contour's area
-constexpr double MostError = 0.5;    ///< of a prediction, in mean semi-axes
+constexpr double MostError = 1.0;    ///< of a prediction, in mean semi-axes
+constexpr double MostChange = 0.5;   ///< of shape from slice to slice at first, likewise
 constexpr double SlopePenalty = 0.1; ///< for each mean semi-axis that a seed moves per slice
 constexpr Index None = -1;
 
@@ -191,7 +192,7 @@ void CylinderBuilder::AddSeedsAbove(Index lower, Index middle, std::vector<Seed>
   const double scale = this->Scale(middle);
   const Point3 change = ShapeOffset(this->Values[lower], this->Values[middle]);
   const Index slice = this->SliceBeyond(middle, Up);
-  if (slice == None || !this->MayBelong(lower, middle) || Norm(change) > MostError * scale)
+  if (slice == None || !this->MayBelong(lower, middle) || Norm(change) > MostChange * scale)
   {
     return;
   }
@@ -273,7 +274,7 @@ CylinderBuilder::Found CylinderBuilder::NearestAlike(Index contour, Direction di
     const double scale = std::min(this->Scale(contour), this->Scale(other));
     const double reach = this->Ellipses[contour].Major + this->Ellipses[other].Major;
     if (this->IsAlone(other) && this->MayBelong(contour, other) &&
-      Norm(ShapeOffset(a, b)) <= MostError * scale && Norm(CenterOffset(a, b)) <= reach &&
+      Norm(ShapeOffset(a, b)) <= MostChange * scale && Norm(CenterOffset(a, b)) <= reach &&
       Distance(a, b) < best.Error)
     {
       best = { other, Distance(a, b) };

@@ -17,7 +17,7 @@ namespace orthoslices
  *   2. Three ellipses on consecutive slices whose parameters (centre and shape) lie on a line start
  *      a cylinder, the best ones first. It grows upwards and downwards: the parameters of its last
  *      two ellipses are extrapolated, and the ellipse that is closest to them is taken if it is off
- *      by no more than half the mean semi-axis.
+ *      by no more than the mean semi-axis.
  *   3. Of what is left, two ellipses of similar shape that are closest to each other form a
  *      cylinder of two slices. Others are cylinders of one.
  *   4. Cylinders are joined, also to branchings and handles: where a cylinder ends and the
