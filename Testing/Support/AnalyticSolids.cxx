@@ -87,6 +87,10 @@ const Tube& Solid::NearestTube(const Point3& p) const
 
 double Solid::Value(const Point3& p) const
 {
+  if (this->Function)
+  {
+    return this->Function(p);
+  }
   double value = HUGE_VAL;
   for (const Tube& tube : this->Tubes)
   {
@@ -97,6 +101,19 @@ double Solid::Value(const Point3& p) const
 
 Point3 Solid::Gradient(const Point3& p) const
 {
+  if (this->Function)
+  {
+    constexpr double step = 1e-6;
+    Point3 gradient;
+    for (int i = 0; i < 3; ++i)
+    {
+      Point3 before = p, after = p;
+      before[i] -= step;
+      after[i] += step;
+      gradient[i] = (this->Function(after) - this->Function(before)) / (2.0 * step);
+    }
+    return gradient;
+  }
   const Point3 d = p - this->NearestTube(p).Nearest(p);
   const double length = Norm(d);
   return length > 0.0 ? (1.0 / length) * d : Point3{ 0, 0, 0 };

@@ -5,7 +5,8 @@
  * @brief   solids given by an implicit function, with known topology
  *
  * A solid is the union of tubes around skeletons: points, line segments, circles, curves. Its value
- * is the distance to the nearest tube's surface, negative inside.
+ * is the distance to the nearest tube's surface, negative inside. Or it is given by any function
+ * that is negative inside.
  */
 
 #ifndef OrthoSlicesAnalyticSolids_h
@@ -38,6 +39,7 @@ public:
   int Components = -1; ///< -1: not known
   int Genus = -1;      ///< sum over the components; -1: not known
   std::vector<Tube> Tubes;
+  std::function<double(const Point3&)> Function; ///< if set, instead of Tubes
 
   double Value(const Point3& p) const;
   Point3 Gradient(const Point3& p) const;
