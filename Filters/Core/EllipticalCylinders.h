@@ -23,11 +23,13 @@ namespace orthoslices
  *   4. Cylinders are joined, also to branchings and handles: where a cylinder ends and the
  *      extrapolated ellipse overlaps the nearest one of the next slice, or the other way round.
  *
- * What we had to interpret: both papers work on pixels, have more rules and more parameters; the
- * limits are ours. Where cylinders that run side by side would explain the contours in several
- * ways without error, the steepest axis is taken (Bresler's prior punishes changes likewise).
+ * The papers were not available to us, only what surveys say of them: limits and the order of steps
+ * are ours. Where cylinders that run side by side would explain the contours in several ways
+ * without error, the steepest axis is taken.
  * Nothing joins two contours of one slice. Cost is the distance from the prediction, in mean
  * semi-axes.
+ *
+ * Time grows with the square of the number of contours on two slices.
  */
 std::vector<Correspondence> CorrespondencesByCylinders(const ContourStack& stack);
 }

@@ -26,8 +26,12 @@ namespace orthoslices
  * as the known genus. Contours that are connected through others between the same two slices are
  * not connected twice. Without knowledge nothing is refused, and steps 3 and 4 do nothing.
  *
- * What we had to interpret: the published weight of a pair; ours is the mean distance along both
- * contours to the other one, seen along the axis (on 32 points of each), which is also the Cost.
+ * Only the abstract of the paper was available to us: it has steps 1 and 2, a weight for each pair
+ * and the genus as prior knowledge. Our weight, which is also the Cost, is the mean distance along
+ * both contours to the other one, seen along the axis (on 32 points of each). That
+ * the number of components is used as well, and steps 3 and 4, are our reading.
+ *
+ * Time grows with the square of the number of contours on two slices.
  */
 std::vector<Correspondence> CorrespondencesByReebGraph(
   const ContourStack& stack, const PriorKnowledge& known);

@@ -28,7 +28,7 @@ namespace support
 {
 
 /// A solid with the slices through it: 10 z-slices at z = -0.9, -0.7, ..., 0.9 (distance 0.2) and
-/// x- and y-slices at distances of 0.08.
+/// x- and y-slices at distances of about 0.08.
 struct InclinedSolid
 {
   char Family;
@@ -39,8 +39,8 @@ struct InclinedSolid
 /// All objects of Figure 1: six or seven of each family, in alphabetical order of the families.
 std::vector<InclinedSolid> FigureOneSolids();
 
-/// Spirals like that of a cochlea, with 1.25 to 3.25 turns about a horizontal axis (Figure 2).
-/// They are of family D.
+/// Spirals like that of a cochlea, with 1.25 to 3.25 turns about a horizontal axis (Figure 2): they
+/// are of family D.
 std::vector<InclinedSolid> FigureTwoSolids();
 
 /**
