@@ -4,6 +4,7 @@
 #define OrthoSlicesCorrespondence_h
 
 #include "ContourStack.h"
+#include "PriorKnowledge.h"
 
 #include <tuple>
 
@@ -33,13 +34,6 @@ struct Correspondence
     return std::tie(this->First, this->Second, this->Where) <
       std::tie(other.First, other.Second, other.Where);
   }
-};
-
-/// What is known of the surface before any contour is looked at.
-struct PriorKnowledge
-{
-  Index Components = 0; ///< 0: not known
-  Index Genus = -1;     ///< sum over all components; -1: not known
 };
 
 /// The methods for parallel slices that section 2 of the paper compares with.

@@ -103,7 +103,11 @@ std::map<Index, std::int64_t> CountPolygonSizes(int planes)
     const Reconstruction result = Reconstruct(ReadPieceSets(data, planes), Options(), Execution());
     for (Index i = 0; i < result.Polygons.Count(); ++i)
     {
-      ++counts[result.Polygons.Offsets[i + 1] - result.Polygons.Offsets[i]];
+      const Index size = result.Polygons.Offsets[i + 1] - result.Polygons.Offsets[i];
+      if (size > 1) // a contour without node points is no polygon
+      {
+        ++counts[size];
+      }
     }
   }
   return counts;
