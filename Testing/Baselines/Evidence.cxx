@@ -25,8 +25,9 @@ namespace
 constexpr int FloodLayers = 12;
 constexpr double FloodDistance = 0.02;
 
-/// Cells of the in-plane grid on which contours are traced, in each slab.
-constexpr int Subdivisions = 8;
+/// Cells of the in-plane grid on which contours are traced, in each slab. Inclined solids are thin
+/// along z: coarser grids tear their x- and y-contours to pieces.
+constexpr std::array<int, 3> Subdivisions{ 6, 6, 32 };
 
 //------------------------------------------------------------------------------
 bool AreEqual(const CountedTopology& a, const CountedTopology& b)

@@ -231,15 +231,22 @@ PlaneSets RandomPlanes(const Solid& solid, const std::array<int, 3>& count, std:
 PieceSets SliceSolid(
   const Solid& solid, const PlaneSets& planes, int subdivisions, InPlaneGrid grid)
 {
+  return SliceSolid(
+    solid, planes, std::array<int, 3>{ subdivisions, subdivisions, subdivisions }, grid);
+}
+
+PieceSets SliceSolid(const Solid& solid, const PlaneSets& planes,
+  const std::array<int, 3>& subdivisions, InPlaneGrid grid)
+{
   PieceSets sets = EmptySets();
   for (int axis = 0; axis < 3; ++axis)
   {
     std::array<std::vector<double>, 3> lines;
     for (const int other : { FirstAxis(axis), SecondAxis(axis) })
     {
-      const std::size_t cells = (planes[other].size() + 1) * subdivisions;
+      const std::size_t cells = (planes[other].size() + 1) * subdivisions[other];
       lines[other] = grid == InPlaneGrid::Aligned
-        ? AlignedLines(solid.Low[other], planes[other], solid.High[other], subdivisions)
+        ? AlignedLines(solid.Low[other], planes[other], solid.High[other], subdivisions[other])
         : FreeLines(solid.Low[other], solid.High[other], cells, 0.137 + 0.211 * axis);
     }
     for (const double plane : planes[axis])

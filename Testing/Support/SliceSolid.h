@@ -41,6 +41,10 @@ PlaneSets RandomPlanes(const Solid& solid, const std::array<int, 3>& count, std:
 PieceSets SliceSolid(
   const Solid& solid, const PlaneSets& planes, int subdivisions, InPlaneGrid grid);
 
+/// The same with another number of cells along each axis.
+PieceSets SliceSolid(const Solid& solid, const PlaneSets& planes,
+  const std::array<int, 3>& subdivisions, InPlaneGrid grid);
+
 } // namespace support
 } // namespace orthoslices
 
