@@ -215,4 +215,32 @@ bool CertainlyApartBeyond(const std::vector<int>& common, const std::array<Point
   }
   return false;
 }
+
+double SignedArea(const std::vector<Point2>& polygon)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Point2& o = polygon.front();
+    const Point2& p = polygon[i];
+    const Point2& q = polygon[(i + 1) % polygon.size()];
+    sum += (p[0] - o[0]) * (q[1] - o[1]) - (p[1] - o[1]) * (q[0] - o[0]);
+  }
+  return 0.5 * sum;
+}
+
+bool IsInside(const std::vector<Point2>& polygon, const Point2& point)
+{
+  bool inside = false;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Point2& p = polygon[i];
+    const Point2& q = polygon[(i + 1) % polygon.size()];
+    if ((p[1] > point[1]) != (q[1] > point[1]))
+    {
+      inside ^= (SideOf(p, q, point) > 0) == (q[1] > p[1]);
+    }
+  }
+  return inside;
+}
 }

@@ -31,6 +31,12 @@ inline int SideOf(const Point2& p, const Point2& q, const Point2& r)
   return det > bound ? 1 : det < -bound ? -1 : ExactSideOf(p, q, r);
 }
 
+/// Area of a polygon, positive if it runs counter-clockwise. Rounded.
+double SignedArea(const std::vector<Point2>& polygon);
+
+/// Whether a point lies inside a polygon. It must not lie on its border. Exact.
+bool IsInside(const std::vector<Point2>& polygon, const Point2& point);
+
 /// Side of d against the plane of abc: 1 if a, b, c run counter-clockwise seen from d, -1, 0 not
 /// certain.
 int CertainSide(const Point3& a, const Point3& b, const Point3& c, const Point3& d);

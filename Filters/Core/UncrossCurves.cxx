@@ -68,6 +68,7 @@ private:
   std::vector<Segment> ListSegments() const;
   void FindContacts(std::size_t most);
   void Compare(const Segment& a, const Segment& b);
+  bool Closes(const Segment& last, const Segment& first) const;
   void AddFold(const Segment& a, const Segment& b);
   void AddTouch(const Segment& a, const Segment& b);
   double GainOf(const Segment& a, const Segment& b) const;
@@ -217,6 +218,11 @@ void Untangler::Compare(const Segment& a, const Segment& b)
   const Point2& q = this->At(a.End);
   const Point2& r = this->At(b.Start);
   const Point2& s = this->At(b.End);
+  if (this->Closes(b, a) || this->Closes(a, b))
+  {
+    this->Closes(b, a) ? this->AddFold(b, a) : this->AddFold(a, b);
+    return;
+  }
   const int acrossA = SideOf(p, q, r) * SideOf(p, q, s);
   const int acrossB = SideOf(r, s, p) * SideOf(r, s, q);
   if (acrossA > 0 || acrossB > 0)
@@ -232,6 +238,15 @@ void Untangler::Compare(const Segment& a, const Segment& b)
   this->AddTouch(a, b);
 }
 
+/// Whether a closed curve ends with one segment and begins with the other.
+bool Untangler::Closes(const Segment& last, const Segment& first) const
+{
+  const Index curve = this->Curve[first.Start];
+  return static_cast<std::size_t>(curve) >= this->Set.FirstClosed &&
+    curve == this->Curve[last.End] && this->Set.Curves[curve].front() == first.Start &&
+    this->Set.Curves[curve].back() == last.End;
+}
+
 /// Consecutive segments touch beyond their common vertex if the second runs back along the first.
 void Untangler::AddFold(const Segment& a, const Segment& b)
 {
@@ -241,8 +256,9 @@ void Untangler::AddFold(const Segment& a, const Segment& b)
   const double dot = (q[0] - p[0]) * (r[0] - q[0]) + (q[1] - p[1]) * (r[1] - q[1]);
   if (dot <= 0.0 && SideOf(p, q, r) == 0)
   {
-    this->Contacts.push_back(
-      { this->GainOfRemoving(a.End), { a.Start, a.End }, { b.Start, b.End }, false, a.End });
+    const bool isEnd = this->IsEnd(a.End);
+    this->Contacts.push_back({ isEnd ? 0.0 : this->GainOfRemoving(a.End), { a.Start, a.End },
+      { b.Start, b.End }, false, isEnd ? None : a.End });
   }
 }
 

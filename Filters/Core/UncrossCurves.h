@@ -7,11 +7,15 @@
 
 namespace orthoslices
 {
-/// Polylines in a plane: each lists the numbers of its vertices, and no two share one.
+/**
+ * Polylines in a plane: each lists the numbers of its vertices, and no two share one. Curves from
+ * FirstClosed on are closed: they begin and end with two vertices at one place.
+ */
 struct PlanarCurves
 {
   std::vector<Point2> Vertices;
   std::vector<std::vector<Index>> Curves;
+  std::size_t FirstClosed = static_cast<std::size_t>(-1);
 };
 
 /// Whether no curve touches itself or another one. Never gives up.

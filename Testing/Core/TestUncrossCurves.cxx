@@ -158,6 +158,35 @@ TEST(AreSimple, IfNothingTouches)
 }
 
 //----------------------------------------------------------------------------
+TEST(AreSimple, ClosedCurves)
+{
+  const auto areSimple = [](const std::vector<std::vector<Point2>>& curves, std::size_t closed)
+  {
+    PlanarCurves set = MakeCurves(curves);
+    set.FirstClosed = closed;
+    return AreSimple(set);
+  };
+  const std::vector<Point2> square{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, 0 } };
+  EXPECT_TRUE(areSimple({ square }, 0));
+  EXPECT_FALSE(areSimple({ square }, 1));
+  EXPECT_TRUE(areSimple({ { { 2, 0 }, { 2, 1 } }, square }, 1));
+  EXPECT_FALSE(areSimple({ { { 0.5, -1 }, { 0.5, 1 } }, square }, 1));
+  // It runs back along its first segment.
+  EXPECT_FALSE(areSimple({ { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 0 }, { 0, 0 } } }, 0));
+  EXPECT_FALSE(areSimple({ { { 0, 0 }, { 2, 0 }, { 0, 2 }, { 2, 2 }, { 0, 0 } } }, 0));
+}
+
+//----------------------------------------------------------------------------
+TEST(UncrossCurves, TakesAClosedCurveApart)
+{
+  PlanarCurves set = MakeCurves({ { { 0, 0 }, { 2, 0 }, { 0, 2 }, { 2, 2 }, { 0, 0 } } });
+  set.FirstClosed = 0;
+  EXPECT_TRUE(UncrossCurves(set).Simple);
+  EXPECT_EQ(set.Curves[0].size(), 5u);
+  EXPECT_EQ(set.Vertices[set.Curves[0].front()], set.Vertices[set.Curves[0].back()]);
+}
+
+//----------------------------------------------------------------------------
 TEST(AreSimple, AsByComparingAllPairs)
 {
   Random random(7);
