@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CentralPoint.h"
 
+#include "Vectors.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,27 +11,6 @@ namespace orthoslices
 {
 namespace
 {
-Point3 operator-(const Point3& a, const Point3& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-Point3 operator+(const Point3& a, const Point3& b)
-{
-  return { a[0] + b[0], a[1] + b[1], a[2] + b[2] };
-}
-Point3 operator*(double s, const Point3& a) { return { s * a[0], s * a[1], s * a[2] }; }
-double Dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point3 Cross(const Point3& a, const Point3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-double Length(const Point3& a) { return std::sqrt(Dot(a, a)); }
-Point3 PointAt(const std::vector<double>& xyz, Index i)
-{
-  const double* p = xyz.data() + 3 * static_cast<std::size_t>(i);
-  return { p[0], p[1], p[2] };
-}
-
 /// Half the length of contour, as a part of the mean plane spacing, over which a tangent is
 /// measured.
 constexpr double TangentWindow = 0.1;
@@ -236,6 +217,9 @@ private:
  */
 constexpr double InnerMargin = 1e-3;
 
+/// Of a dome over a loop, as a part of the cell's width: the surface ends anywhere in the cell.
+constexpr double HighestDome = 0.5;
+
 /// The boundary of one spatial polygon: points, lengths, centroid.
 class PolygonCenter
 {
@@ -251,9 +235,15 @@ public:
 
   Point3 Centroid();
   Point3 LeastSquares();
+  Point3 Dome(int axis, double most);
 
 private:
   Point3 MeanNormal() const;
+  Point3 NormalAt(Index node) const
+  {
+    const double* n = this->NodeNormals.data() + 3 * static_cast<std::size_t>(node);
+    return { n[0], n[1], n[2] };
+  }
 
   const NodeGraph& Graph;
   const std::vector<double>& NodeNormals;
@@ -267,7 +257,7 @@ Point3 PolygonCenter::Centroid()
   this->Points.resize(n);
   for (std::size_t i = 0; i < n; ++i)
   {
-    this->Points[i] = PointAt(this->Graph.Points, this->Boundary[i]);
+    this->Points[i] = this->Graph.PointAt(this->Boundary[i]);
   }
   this->Weights.assign(n, 0.0);
   Point3 sum{ 0.0, 0.0, 0.0 };
@@ -293,13 +283,30 @@ Point3 PolygonCenter::Centroid()
   return this->Points[0] + (1.0 / total) * sum;
 }
 
+/**
+ * Over a loop, towards +axis or, if `most` is negative, -axis: as high as the loop is wide, as if
+ * the surface was round, but not higher than `most`.
+ */
+Point3 PolygonCenter::Dome(int axis, double most)
+{
+  Point3 apex = this->Centroid();
+  double radius2 = 0.0;
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
+  {
+    const Point3 d = this->Points[i] - apex;
+    radius2 += this->Weights[i] * Dot(d, d);
+  }
+  apex[axis] += std::copysign(std::min(std::sqrt(radius2), std::abs(most)), most);
+  return apex;
+}
+
 /// Unit normal of the plane that the heights refer to; zero if there is none.
 Point3 PolygonCenter::MeanNormal() const
 {
   Point3 mean{ 0.0, 0.0, 0.0 };
   for (const Index place : this->NodePlaces)
   {
-    mean = mean + PointAt(this->NodeNormals, this->Boundary[place]);
+    mean = mean + NormalAt(this->Boundary[place]);
   }
   Point3 area{ 0.0, 0.0, 0.0 };
   for (std::size_t i = 0; i < this->Points.size(); ++i)
@@ -354,7 +361,7 @@ Point3 PolygonCenter::LeastSquares()
   for (const Index place : this->NodePlaces)
   {
     const Point3 p = local((1.0 / radius) * (this->Points[place] - centroid));
-    const Point3 n = local(PointAt(this->NodeNormals, this->Boundary[place]));
+    const Point3 n = local(NormalAt(this->Boundary[place]));
     fit.AddNormal(p[0], p[1], n, 1.0 / this->NodePlaces.size());
   }
   const double height = fit.HeightAtOrigin();
@@ -406,10 +413,12 @@ std::vector<double> ComputeNodeNormals(const Contours& contours, const SpatialGr
   return normals;
 }
 
-std::vector<double> LocateCentralPoints(CentralPointMethod method, const SpatialGrid& grid,
-  const NodeGraph& graph, const Crossings& crossings, const NodePoints& nodes,
-  const std::vector<double>& nodeNormals, const Cycles& cycles, const Execution& execution)
+std::vector<double> LocateCentralPoints(CentralPointMethod method, const CycleGeometry& geometry,
+  const std::vector<double>& nodeNormals, const Execution& execution)
 {
+  const SpatialGrid& grid = geometry.Grid;
+  const NodeGraph& graph = geometry.Graph;
+  const Cycles& cycles = geometry.Polygons;
   std::vector<double> centers(3 * static_cast<std::size_t>(cycles.Count()));
   execution.For(cycles.Count(),
     [&](std::size_t begin, std::size_t end)
@@ -418,9 +427,20 @@ std::vector<double> LocateCentralPoints(CentralPointMethod method, const Spatial
       for (std::size_t cycle = begin; cycle < end; ++cycle)
       {
         const Index c = static_cast<Index>(cycle);
-        GetBoundary(graph, crossings, nodes, cycles, c, polygon.Boundary, polygon.NodePlaces);
-        const Point3 center =
-          method == CentralPointMethod::LeastSquares ? polygon.LeastSquares() : polygon.Centroid();
+        geometry.GetBoundary(c, polygon.Boundary, polygon.NodePlaces);
+        const HalfArc& half = cycles.Arcs[cycles.Offsets[cycle]];
+        Point3 center;
+        if (graph.IsLoop(half.Arc))
+        {
+          const int axis = graph.Loops[half.Arc - graph.Arcs].Axis;
+          const double most = HighestDome * grid.Width(axis, cycles.Cell[cycle][axis]);
+          center = polygon.Dome(axis, half.Above ? most : -most);
+        }
+        else
+        {
+          center = method == CentralPointMethod::LeastSquares ? polygon.LeastSquares()
+                                                              : polygon.Centroid();
+        }
         for (int axis = 0; axis < 3; ++axis)
         {
           centers[3 * cycle + axis] =

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesCentralPoint_h
 #define OrthoSlicesCentralPoint_h
 
-#include "TraceCycles.h"
+#include "PatchMesh.h"
 
 namespace orthoslices
 {
@@ -27,11 +27,10 @@ std::vector<double> ComputeNodeNormals(const Contours& contours, const SpatialGr
  * One central point for each cycle (the paper's section 5), x, y, z of each, inside the closed
  * cell. LeastSquares measures heights over a plane through the centroid of the arcs, weights the
  * points of the arcs by length, and falls back to the centroid where the polygon is no height
- * function.
+ * function. A loop gets the top of a dome as high as it is wide, at most half the cell's width.
  */
-std::vector<double> LocateCentralPoints(CentralPointMethod method, const SpatialGrid& grid,
-  const NodeGraph& graph, const Crossings& crossings, const NodePoints& nodes,
-  const std::vector<double>& nodeNormals, const Cycles& cycles, const Execution& execution);
+std::vector<double> LocateCentralPoints(CentralPointMethod method, const CycleGeometry& geometry,
+  const std::vector<double>& nodeNormals, const Execution& execution);
 }
 
 #endif

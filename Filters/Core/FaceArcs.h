@@ -8,14 +8,6 @@
 
 namespace orthoslices
 {
-/// A face of M: the rectangle between its four grid lines, on a slice.
-struct Face
-{
-  int Axis;
-  Index Plane;
-  std::array<Index, 2> Slab; ///< along FirstAxis and SecondAxis
-};
-
 /// The arcs of one face.
 struct FaceArcs
 {

@@ -187,21 +187,12 @@ void GraphBuilder::Fade(Index arc, double* begin, double* end) const
   }
 }
 
-Index FindRoot(std::vector<Index>& parent, Index i)
-{
-  while (parent[i] != i)
-  {
-    parent[i] = parent[parent[i]];
-    i = parent[i];
-  }
-  return i;
-}
-
 NodeGraph GraphBuilder::Run(const Execution& execution)
 {
   NodeGraph graph;
   const std::size_t arcs = this->Lattice.Count();
   graph.Nodes = this->Nodes.Count();
+  graph.Arcs = this->Lattice.Count();
   graph.Offsets.assign(arcs + 1, 0);
   execution.For(arcs,
     [&](std::size_t begin, std::size_t end)
@@ -246,25 +237,28 @@ NodeGraph BuildNodeGraph(const Contours& contours, const SpatialGrid& grid,
   return GraphBuilder(contours, grid, crossings, nodes, tolerance).Run(execution);
 }
 
-void FindComponents(const Crossings& crossings, const NodePoints& nodes, NodeGraph& graph)
+DisjointSets ConnectArcs(
+  const Crossings& crossings, const NodePoints& nodes, const NodeGraph& graph)
 {
-  std::vector<Index> parent(graph.Nodes);
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets parts(graph.Nodes + static_cast<Index>(graph.Loops.size()));
   for (Index arc = 0; arc < crossings.Count(); ++arc)
   {
     if (!crossings.IsRemoved(arc))
     {
-      const Index a = FindRoot(parent, nodes.NodeOf[arc]);
-      const Index b = FindRoot(parent, nodes.NodeOf[crossings.Next[arc]]);
-      parent[std::max(a, b)] = std::min(a, b);
+      parts.Unite(nodes.NodeOf[arc], nodes.NodeOf[crossings.Next[arc]]);
     }
   }
-  graph.Component.resize(graph.Nodes);
+  return parts;
+}
+
+void FindComponents(DisjointSets& parts, NodeGraph& graph)
+{
+  graph.Component.resize(graph.Nodes + graph.Loops.size());
   graph.Components = 0;
-  for (Index node = 0; node < graph.Nodes; ++node)
+  for (Index i = 0; i < static_cast<Index>(graph.Component.size()); ++i)
   {
-    const Index root = FindRoot(parent, node);
-    graph.Component[node] = root == node ? graph.Components++ : graph.Component[root];
+    const Index root = parts.Find(i);
+    graph.Component[i] = root == i ? graph.Components++ : graph.Component[root];
   }
 }
 }

@@ -3,13 +3,16 @@
 #ifndef OrthoSlicesNodeGraph_h
 #define OrthoSlicesNodeGraph_h
 
+#include "DisjointSets.h"
 #include "PairNodePoints.h"
 
 namespace orthoslices
 {
 /**
  * The graph G (the paper's section 4.1): node points joined by arcs. Arc c leads from the node of
- * crossing c to that of Next[c]; removed crossings have no arc.
+ * crossing c to that of Next[c]; removed crossings have no arc. *Loops* are arcs without node
+ * points, closed in themselves: the isolated contours that take part in the surface. Loop l is the
+ * arc Arcs + l.
  *
  * The points of G are first the node points, then the vertices inside the arcs: arc c has the
  * points Nodes + Offsets[c] to Nodes + Offsets[c + 1] - 1 between its nodes.
@@ -17,15 +20,23 @@ namespace orthoslices
 struct NodeGraph
 {
   std::vector<double> Points;        ///< x, y, z of each point
-  std::vector<Index> Offsets;        ///< for each crossing, and the end
-  std::vector<Index> Component;      ///< of each node, numbered from 0 by their first node
+  std::vector<Index> Offsets;        ///< for each crossing, each loop, and the end
+  std::vector<Face> Loops;           ///< the face of each loop
+  std::vector<Index> Component;      ///< of each node and each loop; see FindComponents
   std::vector<std::uint8_t> Redrawn; ///< arcs that EmbedArcs changed; empty if none
   Index Nodes = 0;
+  Index Arcs = 0; ///< as many as there are crossings
   Index Components = 0;
 
   Index Count() const { return this->Nodes + this->Offsets.back(); }
   Index FirstPoint(Index arc) const { return this->Nodes + this->Offsets[arc]; }
   Index PointCount(Index arc) const { return this->Offsets[arc + 1] - this->Offsets[arc]; }
+  bool IsLoop(Index arc) const { return arc >= this->Arcs; }
+  Point3 PointAt(Index point) const
+  {
+    const double* p = this->Points.data() + 3 * static_cast<std::size_t>(point);
+    return { p[0], p[1], p[2] };
+  }
 };
 
 /**
@@ -38,8 +49,12 @@ NodeGraph BuildNodeGraph(const Contours& contours, const SpatialGrid& grid,
   const Crossings& crossings, const NodePoints& nodes, double tolerance,
   const Execution& execution);
 
-/// Numbers the connected components of G.
-void FindComponents(const Crossings& crossings, const NodePoints& nodes, NodeGraph& graph);
+/// The connected parts of G: nodes joined by arcs, then each loop by itself.
+DisjointSets ConnectArcs(
+  const Crossings& crossings, const NodePoints& nodes, const NodeGraph& graph);
+
+/// Numbers the sets from 0 by their least members: the components of the surface.
+void FindComponents(DisjointSets& parts, NodeGraph& graph);
 }
 
 #endif

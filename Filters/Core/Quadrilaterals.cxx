@@ -9,6 +9,10 @@ void SplitIntoQuadrilaterals(Index borderSize, const std::vector<Index>& nodePla
 {
   const std::size_t count = nodePlaces.size();
   quadrilaterals.resize(count);
+  if (count == 0)
+  {
+    quadrilaterals.push_back({ 0, borderSize });
+  }
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::size_t next = i + 1 < count ? i + 1 : 0;

@@ -21,8 +21,8 @@ struct Quadrilateral
 
 /**
  * One quadrilateral for each node of a polygon whose border has `borderSize` points, with the
- * nodes at the ascending `nodePlaces`. Together they cover the border once. Reuses the memory of
- * `quadrilaterals`.
+ * nodes at the ascending `nodePlaces`. Together they cover the border once; so does the one of a
+ * border without nodes. Reuses the memory of `quadrilaterals`.
  */
 void SplitIntoQuadrilaterals(Index borderSize, const std::vector<Index>& nodePlaces,
   std::vector<Quadrilateral>& quadrilaterals);

@@ -3,12 +3,20 @@
 #include "Reconstruct.h"
 
 #include "AssembleContours.h"
+#include "SeparatePatches.h"
+#include "SmallComponents.h"
+#include "Vectors.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace orthoslices
 {
+CycleGeometry GeometryOf(const Reconstruction& result)
+{
+  return { result.Grid, result.Graph, result.Lattice, result.Nodes, result.Polygons };
+}
+
 namespace
 {
 /// Diagonal of the bounding box of all finite coordinates.
@@ -38,40 +46,18 @@ double FindDiagonal(const std::array<Pieces, 3>& pieces)
   return std::isfinite(diagonal) ? diagonal : 0.0;
 }
 
-IsolatedContours CopyIsolated(
-  const std::vector<IsolatedLoop>& loops, const Contours& contours, const Crossings& crossings)
+/// Whether the slices are cuts of one solid: their contours meet to within a hundredth of a spacing.
+bool DoSlicesAgree(const SpatialGrid& grid, const NodePoints& nodes)
 {
-  IsolatedContours isolated;
-  const auto add = [&](Index contour, Index first, Index count)
+  constexpr double most = 0.01;
+  double sum = 0.0;
+  for (const double difference : nodes.Difference)
   {
-    for (Index i = 0; i < count; ++i)
-    {
-      Index vertex = first + i;
-      vertex -= vertex >= contours.Offsets[contour + 1] ? contours.Size(contour) : 0;
-      const Point3 point = contours.World(contour, vertex);
-      isolated.Points.insert(isolated.Points.end(), point.begin(), point.end());
-    }
-  };
-  for (const IsolatedLoop& loop : loops)
-  {
-    Index member = loop.Contour;
-    if (loop.FirstRun == Crossings::None)
-    {
-      add(member, contours.Offsets[member], contours.Size(member));
-    }
-    for (Index run = loop.FirstRun; run != Crossings::None; run = crossings.RunNext[run])
-    {
-      if (crossings.RunCount[run] > 0)
-      {
-        member = crossings.RunContour[run];
-        add(member, crossings.RunFirst[run], crossings.RunCount[run]);
-      }
-    }
-    isolated.Offsets.push_back(static_cast<Index>(isolated.Points.size() / 3));
-    isolated.Axis.push_back(contours.Axis[member]);
-    isolated.Plane.push_back(contours.Plane[member]);
+    sum += difference * difference;
   }
-  return isolated;
+  const double spacing =
+    std::min({ grid.MeanSpacing(0), grid.MeanSpacing(1), grid.MeanSpacing(2) });
+  return sum <= most * most * spacing * spacing * nodes.Count();
 }
 
 /// Names the share of the work that is done, and asks whether to go on.
@@ -90,23 +76,21 @@ void Append(const std::vector<Repair>& more, std::vector<Repair>& repairs)
 std::vector<Repair> DescribeShells(const Reconstruction& result)
 {
   std::vector<Repair> repairs;
-  std::vector<Index> border, nodePlaces;
-  for (const ShellPatch& shell : result.Surface.Shells)
+  for (const PatchMesh& mesh : result.Surface.Meshes)
   {
-    GetBoundary(
-      result.Graph, result.Lattice, result.Nodes, result.Polygons, shell.Cycle, border, nodePlaces);
+    if (mesh.Kind != PatchKind::Shell)
+    {
+      continue;
+    }
+    const std::vector<Index> border = GeometryOf(result).GetBorders(mesh.Cycles);
     Point3 sum{ 0.0, 0.0, 0.0 };
     double length = 0.0;
     for (std::size_t i = 0; i < border.size(); ++i)
     {
-      const double* p = result.Graph.Points.data() + 3 * static_cast<std::size_t>(border[i]);
-      const double* q =
-        result.Graph.Points.data() + 3 * static_cast<std::size_t>(border[(i + 1) % border.size()]);
-      length += std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        sum[axis] += p[axis] / border.size();
-      }
+      const Point3 p = result.Graph.PointAt(border[i]);
+      const Point3 q = result.Graph.PointAt(border[(i + 1) % border.size()]);
+      length += Length(q - p);
+      sum = sum + (1.0 / border.size()) * p;
     }
     repairs.push_back({ RepairKind::PatchesSeparated, -1, -1, sum, length });
   }
@@ -121,44 +105,126 @@ void CountContours(const Contours& contours, Reconstruction& result)
   }
 }
 
-/// Arcs of the given cycles.
-std::vector<Index> ArcsOf(const Cycles& polygons, const std::vector<Index>& cycles)
+/// Arcs of the given cycles, but for loops.
+std::vector<Index> ArcsOf(
+  const NodeGraph& graph, const Cycles& polygons, const std::vector<Index>& cycles)
 {
   std::vector<Index> arcs;
   for (const Index cycle : cycles)
   {
     for (Index i = polygons.Offsets[cycle]; i < polygons.Offsets[cycle + 1]; ++i)
     {
-      arcs.push_back(polygons.Arcs[i].Arc);
+      if (!graph.IsLoop(polygons.Arcs[i].Arc))
+      {
+        arcs.push_back(polygons.Arcs[i].Arc);
+      }
     }
   }
   return arcs;
 }
 
-/// Cycles, central points and shells. Cells that rounding leaves unresolved get new arcs and a
-/// second try.
-void MakePatches(const Options& options, const std::vector<double>& normals,
+/// The patches of all cycles, with the joins that can be made.
+SeparatedPatches ChoosePatches(const Options& options, const std::vector<double>& normals,
   const Execution& execution, Reconstruction& result)
 {
-  constexpr int mostRounds = 3;
+  constexpr int mostRounds = 16;
+  const CycleGeometry geometry = GeometryOf(result);
+  KnownPairs known;
+  if (options.Several == SeveralCycles::ByEvidence && !result.Graph.Loops.empty())
+  {
+    known.Pairs = PairLoops(geometry, options.Criterion, options.Known);
+    known.Exclusive = options.Criterion != LoopCriterion::ByEvidence;
+    known.Patches = StitchSlabs(
+      result.Grid, result.Polygons, options.Criterion, known.Pairs, execution, result.Graph);
+  }
+  result.Surface.CentralPoints = LocateCentralPoints(options.Central, geometry, normals, execution);
+  result.Joins.clear();
+  if (options.Several == SeveralCycles::ByEvidence)
+  {
+    result.Joins = FindJoins(geometry, normals, result.Surface.CentralPoints, known, execution);
+  }
+  const bool atAnyPrice = options.Known.Components > 0 || options.Known.Genus >= 0;
+  SeparatedPatches separated;
   for (int round = 1; round <= mostRounds; ++round)
   {
-    result.Polygons = TraceCycles(result.Grid, result.Lattice, result.Nodes);
-    result.Surface.CentralPoints = LocateCentralPoints(options.Central, result.Grid, result.Graph,
-      result.Lattice, result.Nodes, normals, result.Polygons, execution);
-    SeparatedPatches separated = SeparatePatches(result.Grid, result.Graph, result.Lattice,
-      result.Nodes, result.Polygons, result.Surface.CentralPoints, execution);
-    result.SharedCells = separated.SharedCells;
-    result.Surface.Shells = std::move(separated.Shells);
-    result.DoubtfulCycles = static_cast<Index>(separated.Unresolved.size());
-    if (separated.Unresolved.empty() || round == mostRounds)
+    // Others may do instead of joins that have turned out to be impossible.
+    ChooseJoins(geometry, options.Known, result.Joins);
+    separated = SeparatePatches(
+      geometry, result.Surface.CentralPoints, known.Patches, atAnyPrice, execution, result.Joins);
+    if (!separated.Undone)
     {
       break;
     }
-    Append(EmbedArcs(result.Grid, result.Nodes, execution, result.Lattice, result.Graph,
-             ArcsOf(result.Polygons, separated.Unresolved)),
-      result.Repairs);
   }
+  return separated;
+}
+
+/// Numbers the components of the surface, and counts its handles.
+void MeasureTopology(Reconstruction& result)
+{
+  const CycleGeometry geometry = GeometryOf(result);
+  DisjointSets parts = ConnectArcs(result.Lattice, result.Nodes, result.Graph);
+  // Two arcs leave each node, and the inside of a disc counts one.
+  Index euler = result.Polygons.Count() - result.Graph.Nodes;
+  for (const PatchMesh& mesh : result.Surface.Meshes)
+  {
+    for (const Index cycle : mesh.Cycles)
+    {
+      parts.Unite(geometry.PartOf(mesh.Cycles.front()), geometry.PartOf(cycle));
+    }
+    euler += EulerCharacteristic(mesh) - static_cast<Index>(mesh.Cycles.size());
+  }
+  FindComponents(parts, result.Graph);
+  result.Topology = { result.Graph.Components, result.Graph.Components - euler / 2 };
+}
+
+/// Loops, cycles, central points and patches. Returns the cycles of cells that rounding leaves
+/// unresolved.
+std::vector<Index> PatchCells(const Options& options, const std::vector<double>& normals,
+  const Execution& execution, Reconstruction& result)
+{
+  result.Polygons = TraceCycles(result.Grid, result.Lattice, result.Nodes, result.Graph);
+  SeparatedPatches separated = ChoosePatches(options, normals, execution, result);
+  result.SharedCells = separated.SharedCells;
+  result.Surface.Meshes = std::move(separated.Meshes);
+  MeasureTopology(result);
+  return separated.Unresolved;
+}
+
+void MakePatches(const Options& options, std::vector<double>& normals, const Execution& execution,
+  Reconstruction& result)
+{
+  constexpr int mostRounds = 3;
+  const auto embedIsolated = [&]
+  {
+    EmbedIsolated(result.Grid, result.Nodes, execution,
+      options.LeastIsolatedContour * result.Diagonal, result.Lattice, result.Isolated,
+      result.Graph);
+  };
+  embedIsolated();
+  std::vector<Index> unresolved = PatchCells(options, normals, execution, result);
+  // Without small components, others may no longer be connected.
+  Index removed = options.LeastComponent > 0.0 ? 1 : 0;
+  while (removed > 0)
+  {
+    removed = RemoveSmallComponents(options.LeastComponent * result.Diagonal, result.Lattice,
+      result.Nodes, normals, result.Isolated, result.Graph);
+    result.SmallComponents += removed;
+    if (removed > 0)
+    {
+      unresolved = PatchCells(options, normals, execution, result);
+    }
+  }
+  // Arcs that lie too close together for the precision are drawn anew.
+  for (int round = 1; round < mostRounds && !unresolved.empty(); ++round)
+  {
+    Append(EmbedArcs(result.Grid, result.Nodes, execution, result.Lattice, result.Graph,
+             ArcsOf(result.Graph, result.Polygons, unresolved)),
+      result.Repairs);
+    embedIsolated();
+    unresolved = PatchCells(options, normals, execution, result);
+  }
+  result.DoubtfulCycles = static_cast<Index>(unresolved.size());
 }
 }
 
@@ -218,9 +284,10 @@ Reconstruction Reconstruct(
   edges = EdgeRegister();
   result.Graph =
     BuildNodeGraph(contours, result.Grid, result.Lattice, result.Nodes, tolerance, execution);
-  const std::vector<double> normals =
+  std::vector<double> normals =
     ComputeNodeNormals(contours, result.Grid, result.Lattice, result.Nodes, execution);
-  result.Isolated = CopyIsolated(isolated, contours, result.Lattice);
+  result.Isolated =
+    CopyIsolated(isolated, contours, result.Lattice, DoSlicesAgree(result.Grid, result.Nodes));
   result.Agreement = MeasureAgreement(contours, result.Grid, result.Lattice, result.Nodes, normals);
   result.Members = { contours.Axis, contours.Plane, contours.Cell };
   Append(
@@ -231,7 +298,7 @@ Reconstruction Reconstruct(
     return result;
   }
   MakePatches(options, normals, execution, result);
-  FindComponents(result.Lattice, result.Nodes, result.Graph);
+  result.Undecided = FindUndecidedPlaces(GeometryOf(result), result.Joins);
   Append(DescribeShells(result), result.Repairs);
   LayOutTriangles(result.Graph, result.Polygons, result.Surface);
   GoOn(execution, result, 0.8);

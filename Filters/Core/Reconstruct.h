@@ -5,6 +5,8 @@
 
 #include "CentralPoint.h"
 #include "EmbedArcs.h"
+#include "IsolatedContours.h"
+#include "JoinCycles.h"
 #include "MeasureAgreement.h"
 #include "NodeGraph.h"
 #include "OrientContours.h"
@@ -13,6 +15,7 @@
 #include "TraceCycles.h"
 #include "Triangles.h"
 #include "Types.h"
+#include "UndecidedPlaces.h"
 
 namespace orthoslices
 {
@@ -33,17 +36,13 @@ struct Options
   bool SinglePrecision = false; ///< the result will be stored as float
   AxisWeights Weights{ 1.0, 1.0, 1.0 };
   CentralPointMethod Central = CentralPointMethod::LeastSquares;
-};
-
-/// Closed polylines on slices, as they are: contours that take no part in the surface.
-struct IsolatedContours
-{
-  std::vector<double> Points;
-  std::vector<Index> Offsets{ 0 };
-  std::vector<std::int8_t> Axis;
-  std::vector<Index> Plane;
-
-  Index Count() const { return static_cast<Index>(this->Axis.size()); }
+  SeveralCycles Several = SeveralCycles::ByEvidence;
+  LoopCriterion Criterion = LoopCriterion::ByEvidence; ///< with SeveralCycles::ByEvidence
+  PriorKnowledge Known;
+  /// Smaller ones are left out, by the diagonal of their bounding box as a fraction of that of all
+  /// contours.
+  double LeastIsolatedContour = 0.0;
+  double LeastComponent = 0.0;
 };
 
 /// What the contours of Contours are, without their vertices.
@@ -70,8 +69,12 @@ struct Reconstruction
   NodeGraph Graph;
   IsolatedContours Isolated;
   Cycles Polygons;
-  Index SharedCells = 0;    ///< cells with several cycles
-  Index DoubtfulCycles = 0; ///< of cells so narrow that their patches may touch
+  Index SharedCells = 0;        ///< cells with several cycles
+  Index DoubtfulCycles = 0;     ///< of cells so narrow that their patches may touch
+  std::vector<CycleJoin> Joins; ///< what the slices leave open, and what was chosen
+  SurfaceTopology Topology;
+  UndecidedPlaces Undecided;
+  Index SmallComponents = 0; ///< left out
   Patches Surface;
 
   /// The report: what the slices disagreed on, and what was done about it.
@@ -80,6 +83,8 @@ struct Reconstruction
   SliceAgreement Agreement;
   ContourList Members; ///< of Agreement.OfContour
 };
+
+CycleGeometry GeometryOf(const Reconstruction& result);
 
 /// Number of node points at which the two contours are farther apart than the tolerance.
 Index CountDisagreements(const Reconstruction& result, double tolerance);
@@ -97,9 +102,13 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  *   BuildNodeGraph      node points and arcs: graph G, components                (section 4.1)
  *   MeasureAgreement    disagreement of contours and slices: the report          (our own)
  *   EmbedArcs           arcs that cross on a face of M are taken apart            (our own)
+ *   EmbedIsolated       contours without node points become loops of G           (our own)
  *   TraceCycles         cycles of G in each cell: spatial polygons               (section 4.3)
+ *   StitchSlabs         one family only: contours of slices joined by overlay    (our own)
  *   LocateCentralPoints central point of each polygon                            (section 5)
- *   SeparatePatches     patches that cross within a cell become shells           (our own)
+ *   FindJoins, ChooseJoins  cycles of a cell that bound one patch                (our own)
+ *   SeparatePatches     discs, tubes and branchings that do not cross            (our own)
+ *   FindUndecidedPlaces what the slices leave open, and where to slice next      (our own)
  *   Quadrilaterals      one for each node point of a polygon                     (section 5)
  *   Triangles           fans in the quadrilaterals                               (section 5)
  *
@@ -114,9 +123,11 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  *       grid line, or within the Margin of the grid of one, may move by that margin, and one on a
  *       grid edge along it by half the disagreement of the two slices there. Where slices
  *       contradict each other by more than the tolerance, vertices move with the node points
- *       beside them, within their planes. Parts without a node point take no part in the surface:
- *       isolated contours, which are listed, and what ReconcileSlices cuts off, which is listed
- *       if it has three vertices or more.
+ *       beside them, within their planes. Isolated contours are kept, too, unless they touch
+ *       others of their face or are left out by their size; where contours of neighbouring slices
+ *       cross in projection (one family only), they get additional vertices. What
+ *       ReconcileSlices cuts off takes no part in the surface; it is listed if it has three
+ *       vertices or more.
  *   G5  Deterministic: the result does not depend on the number of threads, and slices that agree
  *       are not changed by ReconcileSlices.
  *   G6  Embedded: no two triangles meet but in their common edge or vertex.
@@ -128,15 +139,17 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  * its orbits are closed cycles, every arc is passed once forward (above its slice) and once
  * backward (below), and no cycle passes a node or an arc twice. The fan of a cycle of three or
  * more points is a disc; two discs share arcs only, and around a node four discs close up in a
- * ring.
+ * ring. A loop is a cycle in the cell above its slice and in the cell below. A patch of several
+ * cycles has each of their arcs once, too.
  *
  * Why G6 holds: PairNodePoints keeps nodes apart and off the ends of their edges, EmbedArcs keeps
  * arcs apart and off the border of their faces, and patches touch the boundary of their cell in
  * their cycle only. So patches of different cells meet in shared arcs only. A cell is convex: the
  * fan of a cycle around a point strictly inside cannot touch itself. Several patches of one cell
- * are kept apart by SeparatePatches. Where arcs lie so close together that rounding could spoil
- * that, they are drawn anew, farther apart. A slab that is a few dozen steps of the precision wide
- * may leave no room for that: DoubtfulCycles counts the patches concerned.
+ * are kept apart by SeparatePatches, which undoes joins that it cannot make without crossings.
+ * Where arcs lie so close together that rounding could spoil that, they are drawn anew, farther
+ * apart. A slab that is a few dozen steps of the precision wide may leave no room for that:
+ * DoubtfulCycles counts the patches concerned.
  */
 Reconstruction Reconstruct(
   std::array<Pieces, 3>&& pieces, const Options& options, const Execution& execution);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SeparatePatches.h"
 
+#include "CellShells.h"
+#include "JoinPatch.h"
 #include "Predicates.h"
 
 #include <algorithm>
@@ -11,645 +13,419 @@ namespace orthoslices
 {
 namespace
 {
-/// Depth of the deepest shell as a part of the way to the middle of the cell.
-constexpr double DeepestShell = 0.4;
+/// Where a joined patch has its ring between the two curves, in the order in which they are tried.
+constexpr std::array<double, 3> RingShares{ 0.5, 0.3, 0.7 };
 
-/// Place on the border of one of the faces of a cell: a node of the cycle, or a corner of the
-/// cell.
-struct RingVertex
+/// A patch on its way: cycles, what bounds them together, and which shape it has now.
+struct Piece
 {
-  bool IsCorner;
-  Index
-    Place; ///< node: place among the nodes of the cycle; corner: bits 0, 1, 2 = upper in x, y, z
+  std::vector<Index> Cycles; ///< ascending
+  std::vector<CycleJoin*> Joins;
+  std::size_t Shape = 0; ///< joined: which of RingShares, then shell; disc: 0 fan, 1 shell
+  double Evidence = std::numeric_limits<double>::infinity(); ///< the least of its joins
+
+  bool Stitched = false; ///< it has the patch that StitchSlabs made
+
+  bool IsFan() const { return this->Joins.empty() && this->Shape == 0 && !this->Stitched; }
+  bool IsShell() const
+  {
+    return !this->Stitched && this->Shape == (this->Joins.empty() ? 1 : RingShares.size());
+  }
 };
 
-/// One cycle of a cell with what the construction of its shell needs.
-struct CellCycle
-{
-  Index Cycle;
-  std::vector<Index> Border, NodePlaces;
-  std::vector<Index> Nodes;     ///< node points, in the order of the cycle
-  std::vector<int> NodeEdge;    ///< edge of the cell on which each lies
-  std::vector<int> ArcFace;     ///< face of the cell on which the arc after each node lies
-  std::array<bool, 8> InRegion; ///< corners of the cell
-  bool RegionOnLeft = true;     ///< of the cycle, seen from outside the cell
-  int Height = 0;               ///< 1 plus the number of regions nested within, one in another
-};
-
-/// Edges of a cell: 4 * direction + 2 * upper in SecondAxis + upper in FirstAxis.
-int EdgeOfCell(int direction, int upperFirst, int upperSecond)
-{
-  return 4 * direction + 2 * upperSecond + upperFirst;
-}
-
-/// The corner at the lower end of an edge of a cell.
-int LowerCorner(int edge)
-{
-  const int t = edge / 4;
-  return ((edge & 1) << FirstAxis(t)) | (((edge >> 1) & 1) << SecondAxis(t));
-}
-
-/// The shells of one cell.
-class CellShells
+/// The patches of one cell.
+class CellPatches
 {
 public:
-  CellShells(const SpatialGrid& grid, const NodeGraph& graph, const Crossings& crossings,
-    const NodePoints& nodes, const Cycles& cycles)
-    : Grid(grid)
-    , Code(grid)
-    , Graph(graph)
-    , Lattice(crossings)
-    , Nodes(nodes)
-    , Polygons(cycles)
+  CellPatches(const CycleGeometry& geometry, const std::vector<double>& centralPoints,
+    const std::vector<PatchMesh>& stitched, bool mayShell)
+    : Geometry(geometry)
+    , CentralPoints(centralPoints)
+    , StitchedPatches(stitched)
+    , MayShell(mayShell)
   {
   }
 
-  bool MayCross(const Index* first, const Index* last, const std::vector<double>& centers);
-  void Build(const Index* first, const Index* last, std::vector<ShellPatch>& shells);
-  bool AreCertainlyApart(const std::vector<ShellPatch>& shells) const;
+  void Run(const Index* first, const Index* last, CycleJoin* firstJoin, CycleJoin* lastJoin,
+    SeparatedPatches& result);
 
 private:
-  Point3 PointOf(Index point) const;
-  CellCycle Describe(Index cycle) const;
-  void SetExtent(const std::vector<CellCycle>& members);
-  void FindRegion(CellCycle& member) const;
-  bool IsWithin(const CellCycle& inner, const CellCycle& outer) const;
-  void FindHeights(std::vector<CellCycle>& members) const;
+  void Group(CycleJoin* firstJoin, CycleJoin* lastJoin);
+  const PatchMesh* FindStitched(const std::vector<Index>& cycles) const;
+  void Build(Index index);
+  std::vector<PatchTriangle> ListTriangles();
+  void AddFan(Index piece, Index& firstId, std::vector<PatchTriangle>& triangles);
+  void AddMesh(Index piece, Index& firstId, std::vector<PatchTriangle>& triangles);
+  bool Change(const std::vector<std::pair<Index, Index>>& contacts);
+  Index PieceToChange(Index a, Index b) const;
+  void Undo(Index piece);
 
-  ShellPatch BuildShell(const CellCycle& member, double depth) const;
-  std::vector<RingVertex> RingOf(const CellCycle& member, int face) const;
-  bool IsRegionOnLeft(const CellCycle& member) const;
-  void AddWall(const CellCycle& member, ShellPatch& shell) const;
-  void AddFace(const CellCycle& member, int face, ShellPatch& shell) const;
-  void AddRegion(
-    const CellCycle& member, int face, const std::vector<Index>& vertices, ShellPatch& shell) const;
-  Point3 Corner(int corner) const;
-  Point3 Inward(const Point3& point, double depth) const;
-
-  const SpatialGrid& Grid;
-  GridEdgeCode Code;
-  const NodeGraph& Graph;
-  const Crossings& Lattice;
-  const NodePoints& Nodes;
-  const Cycles& Polygons;
-  Point3 Low, High; ///< the cell, bounded
+  const CycleGeometry& Geometry;
+  const std::vector<double>& CentralPoints;
+  const std::vector<PatchMesh>& StitchedPatches;
+  bool MayShell; ///< joined patches, too
+  const Index* First = nullptr;
+  const Index* Last = nullptr;
+  std::vector<Piece> Pieces;
+  std::vector<PatchMesh> Meshes;         ///< of each piece; empty for fans
+  std::vector<PatchMesh> Shells;         ///< of each piece, once they are needed
+  std::vector<std::uint8_t> HasNoAreaIn; ///< pieces with a triangle without area
+  std::vector<Index> Border, NodePlaces;
+  bool Undone = false;
 };
 
-Point3 CellShells::PointOf(Index point) const
+/// Cycles that are joined become one piece.
+void CellPatches::Group(CycleJoin* firstJoin, CycleJoin* lastJoin)
 {
-  const double* p = this->Graph.Points.data() + 3 * static_cast<std::size_t>(point);
-  return { p[0], p[1], p[2] };
+  const Index count = static_cast<Index>(this->Last - this->First);
+  DisjointSets sets(count);
+  const auto placeOf = [&](Index cycle)
+  { return static_cast<Index>(std::lower_bound(this->First, this->Last, cycle) - this->First); };
+  for (CycleJoin* join = firstJoin; join != lastJoin; ++join)
+  {
+    if (join->Chosen)
+    {
+      sets.Unite(placeOf(join->First), placeOf(join->Second));
+    }
+  }
+  std::vector<Index> pieceOf(count);
+  for (Index i = 0; i < count; ++i)
+  {
+    const Index root = sets.Find(i);
+    if (root == i)
+    {
+      pieceOf[i] = static_cast<Index>(this->Pieces.size());
+      this->Pieces.emplace_back();
+    }
+    pieceOf[i] = pieceOf[root];
+    this->Pieces[pieceOf[i]].Cycles.push_back(this->First[i]);
+  }
+  for (CycleJoin* join = firstJoin; join != lastJoin; ++join)
+  {
+    if (join->Chosen)
+    {
+      Piece& piece = this->Pieces[pieceOf[placeOf(join->First)]];
+      piece.Joins.push_back(join);
+      piece.Evidence = std::min(piece.Evidence, join->Evidence);
+    }
+  }
 }
 
-/// A triangle of a patch, its corners' places in a list of all points of the cell, and its box.
-struct PatchTriangle
+/// The patch that StitchSlabs made of these cycles, or null.
+const PatchMesh* CellPatches::FindStitched(const std::vector<Index>& cycles) const
 {
-  PatchTriangle(Index patch, const std::array<Point3, 3>& corners, const std::array<Index, 3>& ids)
-    : Patch(patch)
-    , Corners(corners)
-    , Ids(ids)
+  const auto at = std::lower_bound(this->StitchedPatches.begin(), this->StitchedPatches.end(),
+    cycles.front(), [](const PatchMesh& m, Index cycle) { return m.Cycles.front() < cycle; });
+  return at != this->StitchedPatches.end() && at->Cycles == cycles ? &*at : nullptr;
+}
+
+void CellPatches::Build(Index index)
+{
+  const Piece& piece = this->Pieces[index];
+  PatchMesh& mesh = this->Meshes[index];
+  if (piece.Stitched)
   {
+    mesh = *this->FindStitched(piece.Cycles);
+    return;
+  }
+  if (piece.IsFan())
+  {
+    mesh = PatchMesh();
+    return;
+  }
+  if (piece.IsShell())
+  {
+    if (this->Shells.empty())
+    {
+      std::vector<std::vector<Index>> groups;
+      for (const Piece& each : this->Pieces)
+      {
+        groups.push_back(each.Cycles);
+      }
+      this->Shells = BuildShells(this->Geometry, this->First, this->Last, groups);
+    }
+    mesh = this->Shells[index];
+    return;
+  }
+  std::vector<std::pair<Index, Index>> pairs;
+  for (const CycleJoin* join : piece.Joins)
+  {
+    pairs.emplace_back(join->First, join->Second);
+  }
+  mesh = BuildJoinedPatch(this->Geometry, piece.Cycles, pairs, RingShares[piece.Shape]);
+}
+
+void CellPatches::AddFan(Index piece, Index& firstId, std::vector<PatchTriangle>& triangles)
+{
+  const Index cycle = this->Pieces[piece].Cycles.front();
+  this->Geometry.GetBoundary(cycle, this->Border, this->NodePlaces);
+  const double* c = this->CentralPoints.data() + 3 * static_cast<std::size_t>(cycle);
+  const Point3 center{ c[0], c[1], c[2] };
+  --firstId;
+  for (std::size_t i = 0; i < this->Border.size(); ++i)
+  {
+    const Index a = this->Border[i];
+    const Index b = this->Border[(i + 1) % this->Border.size()];
+    triangles.push_back(
+      { piece, { center, this->Geometry.Graph.PointAt(a), this->Geometry.Graph.PointAt(b) },
+        { firstId, a, b } });
+  }
+}
+
+void CellPatches::AddMesh(Index piece, Index& firstId, std::vector<PatchTriangle>& triangles)
+{
+  const PatchMesh& mesh = this->Meshes[piece];
+  const std::vector<Index> borders = this->Geometry.GetBorders(mesh.Cycles);
+  for (const auto& triangle : mesh.Triangles)
+  {
+    std::array<Point3, 3> corners;
+    std::array<Index, 3> ids;
     for (int i = 0; i < 3; ++i)
     {
-      const auto range = std::minmax({ corners[0][i], corners[1][i], corners[2][i] });
-      this->Low[i] = range.first;
-      this->High[i] = range.second;
+      const Index place = triangle[i];
+      corners[i] =
+        place >= 0 ? this->Geometry.Graph.PointAt(borders[place]) : mesh.Points[-1 - place];
+      ids[i] = place >= 0 ? borders[place] : firstId + place;
     }
-  }
-  bool BoxMeets(const PatchTriangle& other, int axis) const
-  {
-    return this->Low[axis] <= other.High[axis] && other.Low[axis] <= this->High[axis];
-  }
-
-  Index Patch;
-  std::array<Point3, 3> Corners;
-  std::array<Index, 3> Ids;
-  Point3 Low, High;
-};
-
-/// Whether two triangles certainly meet in their common corners only.
-bool AreCompatible(const PatchTriangle& a, const PatchTriangle& b)
-{
-  if (!a.BoxMeets(b, 1) || !a.BoxMeets(b, 2))
-  {
-    return true;
-  }
-  std::vector<int> commonOfA, commonOfB;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
+    if (HasNoArea(corners))
     {
-      if (a.Ids[i] == b.Ids[j])
-      {
-        commonOfA.push_back(i);
-        commonOfB.push_back(j);
-      }
+      this->HasNoAreaIn[piece] = 1;
     }
+    triangles.push_back({ piece, corners, ids });
   }
-  return commonOfA.empty() ? CertainlyApart(a.Corners, b.Corners)
-                           : CertainlyApartBeyond(commonOfA, a.Corners, commonOfB, b.Corners);
+  firstId -= static_cast<Index>(mesh.Points.size());
 }
 
-/// Whether all triangles that the filter compares are compatible. Sorts them along x.
-template <typename Filter>
-bool AreAllCompatible(std::vector<PatchTriangle>& triangles, Filter&& isCompared)
-{
-  std::sort(triangles.begin(), triangles.end(),
-    [](const PatchTriangle& a, const PatchTriangle& b) { return a.Low[0] < b.Low[0]; });
-  for (auto a = triangles.begin(); a != triangles.end(); ++a)
-  {
-    for (auto b = a + 1; b != triangles.end() && b->Low[0] <= a->High[0]; ++b)
-    {
-      if (isCompared(*a, *b) && !AreCompatible(*a, *b))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-/// Whether fans of different cycles may cross. A fan cannot cross itself.
-bool CellShells::MayCross(const Index* first, const Index* last, const std::vector<double>& centers)
+/// Points of G by their numbers, others by numbers below zero.
+std::vector<PatchTriangle> CellPatches::ListTriangles()
 {
   std::vector<PatchTriangle> triangles;
-  std::vector<Index> border, places;
-  for (const Index* cycle = first; cycle != last; ++cycle)
-  {
-    GetBoundary(this->Graph, this->Lattice, this->Nodes, this->Polygons, *cycle, border, places);
-    const double* c = centers.data() + 3 * static_cast<std::size_t>(*cycle);
-    const Point3 center{ c[0], c[1], c[2] };
-    for (std::size_t i = 0; i < border.size(); ++i)
-    {
-      const Index j = border[(i + 1) % border.size()];
-      triangles.push_back({ *cycle, { center, this->PointOf(border[i]), this->PointOf(j) },
-        { -1 - *cycle, border[i], j } });
-    }
-  }
-  return !AreAllCompatible(
-    triangles, [](const PatchTriangle& a, const PatchTriangle& b) { return a.Patch != b.Patch; });
-}
-
-CellCycle CellShells::Describe(Index cycle) const
-{
-  CellCycle member;
-  member.Cycle = cycle;
-  GetBoundary(this->Graph, this->Lattice, this->Nodes, this->Polygons, cycle, member.Border,
-    member.NodePlaces);
-  const auto& cell = this->Polygons.Cell[cycle];
-  for (Index i = this->Polygons.Offsets[cycle]; i < this->Polygons.Offsets[cycle + 1]; ++i)
-  {
-    const HalfArc& half = this->Polygons.Arcs[i];
-    const Index node = StartNode(this->Lattice, this->Nodes, half);
-    const GridEdge at = this->Code.Decode(this->Lattice.Edge[this->Nodes.First[node]]);
-    const int t = at.Direction;
-    member.Nodes.push_back(node);
-    member.NodeEdge.push_back(EdgeOfCell(
-      t, at.First == cell[FirstAxis(t)] ? 1 : 0, at.Second == cell[SecondAxis(t)] ? 1 : 0));
-    const GridEdge start = this->Code.Decode(this->Lattice.Edge[half.Arc]);
-    const int axis = this->Lattice.Family[half.Arc] == 0 ? FirstAxis(start.Direction)
-                                                         : SecondAxis(start.Direction);
-    // The cell above a slice has it as its lower face.
-    member.ArcFace.push_back(2 * axis + (half.Above ? 0 : 1));
-  }
-  return member;
-}
-
-void CellShells::SetExtent(const std::vector<CellCycle>& members)
-{
-  Point3 least, most;
-  least.fill(std::numeric_limits<double>::infinity());
-  most.fill(-std::numeric_limits<double>::infinity());
-  for (const CellCycle& member : members)
-  {
-    for (const Index point : member.Border)
-    {
-      const Point3 p = this->PointOf(point);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        least[axis] = std::min(least[axis], p[axis]);
-        most[axis] = std::max(most[axis], p[axis]);
-      }
-    }
-  }
-  const auto& cell = this->Polygons.Cell[members.front().Cycle];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    this->Grid.GetExtent(
-      axis, cell[axis], least[axis], most[axis], this->Low[axis], this->High[axis]);
-  }
-}
-
-/// A corner is in the region if a path along edges from corner 0 passes an odd number of nodes.
-void CellShells::FindRegion(CellCycle& member) const
-{
-  std::array<bool, 12> odd{};
-  for (const int edge : member.NodeEdge)
-  {
-    odd[edge] = !odd[edge];
-  }
-  member.InRegion[0] = false;
-  for (int corner = 1; corner < 8; ++corner)
-  {
-    // From the neighbour that is lower along the last axis in which this corner is upper.
-    const int t = corner >= 4 ? 2 : corner >= 2 ? 1 : 0;
-    const int edge = EdgeOfCell(t, (corner >> FirstAxis(t)) & 1, (corner >> SecondAxis(t)) & 1);
-    member.InRegion[corner] = member.InRegion[corner ^ (1 << t)] != odd[edge];
-  }
-}
-
-/// Whether a node of one cycle lies in the region of another. Nodes are numbered upwards along an
-/// edge.
-bool CellShells::IsWithin(const CellCycle& inner, const CellCycle& outer) const
-{
-  const int edge = inner.NodeEdge.front();
-  bool within = outer.InRegion[LowerCorner(edge)];
-  for (std::size_t i = 0; i < outer.Nodes.size(); ++i)
-  {
-    within ^= outer.NodeEdge[i] == edge && outer.Nodes[i] < inner.Nodes.front();
-  }
-  return within;
-}
-
-void CellShells::FindHeights(std::vector<CellCycle>& members) const
-{
-  // Passes until nothing changes: as many as regions are nested, which are few.
-  for (CellCycle& member : members)
-  {
-    member.Height = 1;
-  }
-  bool changed = true;
-  for (std::size_t pass = 0; changed && pass < members.size(); ++pass)
-  {
-    changed = false;
-    for (CellCycle& outer : members)
-    {
-      for (const CellCycle& inner : members)
-      {
-        if (&inner != &outer && outer.Height <= inner.Height && this->IsWithin(inner, outer))
-        {
-          outer.Height = inner.Height + 1;
-          changed = true;
-        }
-      }
-    }
-  }
-}
-
-Point3 CellShells::Corner(int corner) const
-{
-  Point3 point;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    point[axis] = (corner >> axis) & 1 ? this->High[axis] : this->Low[axis];
-  }
-  return point;
-}
-
-Point3 CellShells::Inward(const Point3& point, double depth) const
-{
-  Point3 inner;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double middle = this->Low[axis] + 0.5 * (this->High[axis] - this->Low[axis]);
-    inner[axis] = this->Grid.Round(point[axis] + depth * (middle - point[axis]));
-  }
-  return inner;
-}
-
-/// Corners of a face and nodes of the cycle on its border, counter-clockwise seen from outside.
-std::vector<RingVertex> CellShells::RingOf(const CellCycle& member, int face) const
-{
-  const int axis = face / 2;
-  const bool upper = face % 2 == 1;
-  const int u = 1 << (upper ? FirstAxis(axis) : SecondAxis(axis));
-  const int v = 1 << (upper ? SecondAxis(axis) : FirstAxis(axis));
-  const int base = upper ? 1 << axis : 0;
-  const int corners[4] = { base, base | u, base | u | v, base | v };
-  std::vector<RingVertex> ring;
-  for (int i = 0; i < 4; ++i)
-  {
-    const int from = corners[i];
-    const int to = corners[(i + 1) % 4];
-    const int bit = from ^ to;
-    const int t = bit == 4 ? 2 : bit == 2 ? 1 : 0;
-    const int edge = EdgeOfCell(t, (from >> FirstAxis(t)) & 1, (from >> SecondAxis(t)) & 1);
-    std::vector<Index> places;
-    for (std::size_t n = 0; n < member.Nodes.size(); ++n)
-    {
-      if (member.NodeEdge[n] == edge)
-      {
-        places.push_back(static_cast<Index>(n));
-      }
-    }
-    const bool upwards = to > from;
-    std::sort(places.begin(), places.end(),
-      [&](Index a, Index b)
-      { return upwards ? member.Nodes[a] < member.Nodes[b] : member.Nodes[a] > member.Nodes[b]; });
-    ring.push_back({ true, from });
-    for (const Index place : places)
-    {
-      ring.push_back({ false, place });
-    }
-  }
-  return ring;
-}
-
-/// Whether one comes from the region to the start of the first arc, counter-clockwise around its
-/// face.
-bool CellShells::IsRegionOnLeft(const CellCycle& member) const
-{
-  const std::vector<RingVertex> ring = this->RingOf(member, member.ArcFace.front());
-  bool label = member.InRegion[ring.front().Place];
-  for (const RingVertex& vertex : ring)
-  {
-    if (!vertex.IsCorner)
-    {
-      if (vertex.Place == 0)
-      {
-        break;
-      }
-      label = !label;
-    }
-  }
-  return label;
-}
-
-/// The strip between the cycle and its copy further inside.
-void CellShells::AddWall(const CellCycle& member, ShellPatch& shell) const
-{
-  const Index size = static_cast<Index>(member.Border.size());
-  for (Index i = 0; i < size; ++i)
-  {
-    const Index j = (i + 1) % size;
-    shell.Triangles.push_back({ i, j, -1 - j });
-    shell.Triangles.push_back({ i, -1 - j, -1 - i });
-  }
-}
-
-/// Triangulates a part of the region on one face. Vertices are places on the border, or -1 -
-/// corner.
-void CellShells::AddRegion(
-  const CellCycle& member, int face, const std::vector<Index>& vertices, ShellPatch& shell) const
-{
-  const int axis = face / 2;
-  const bool upper = face % 2 == 1;
-  const int u = upper ? FirstAxis(axis) : SecondAxis(axis);
-  const int v = upper ? SecondAxis(axis) : FirstAxis(axis);
-  const Index size = static_cast<Index>(member.Border.size());
-  // Shell points: the copies of the border, then the eight corners.
-  const auto shellPoint = [&](Index place)
-  {
-    const Index vertex = vertices[place];
-    return vertex >= 0 ? vertex : size + (-1 - vertex);
-  };
-  // The copies are triangulated, not the border, because rounding has moved them already.
-  std::vector<Point2> polygon;
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-  {
-    const Point3& p = shell.Points[shellPoint(static_cast<Index>(i))];
-    polygon.push_back({ p[u], p[v] });
-  }
-  for (const auto& triangle : TriangulatePolygon(polygon))
-  {
-    const Index a = -1 - shellPoint(triangle[0]);
-    const Index b = -1 - shellPoint(triangle[1]);
-    const Index c = -1 - shellPoint(triangle[2]);
-    shell.Triangles.push_back(
-      member.RegionOnLeft ? std::array<Index, 3>{ a, b, c } : std::array<Index, 3>{ a, c, b });
-  }
-}
-
-/// Follows the border of each part of the region on a face: along the face's border, across on
-/// arcs.
-void CellShells::AddFace(const CellCycle& member, int face, ShellPatch& shell) const
-{
-  const std::vector<RingVertex> ring = this->RingOf(member, face);
-  const std::size_t count = ring.size();
-  const Index nodes = static_cast<Index>(member.Nodes.size());
-  std::vector<std::size_t> ringPlace(nodes, 0);
-  std::vector<std::uint8_t> inside(count, 0); // the piece of the border after each ring vertex
-  bool label = member.InRegion[ring.front().Place];
-  for (std::size_t r = 0; r < count; ++r)
-  {
-    label = ring[r].IsCorner ? label : !label;
-    inside[r] = label;
-    if (!ring[r].IsCorner)
-    {
-      ringPlace[ring[r].Place] = r;
-    }
-  }
-  for (std::size_t start = 0; start < count; ++start)
-  {
-    std::vector<Index> vertices;
-    std::size_t r = start;
-    while (inside[r] == 1)
-    {
-      inside[r] = 2;
-      vertices.push_back(ring[r].IsCorner ? -1 - ring[r].Place : member.NodePlaces[ring[r].Place]);
-      r = (r + 1) % count;
-      if (ring[r].IsCorner)
-      {
-        continue;
-      }
-      // The arc of the cycle on this face that starts or ends at the node.
-      const Index node = ring[r].Place;
-      const Index size = static_cast<Index>(member.Border.size());
-      const bool forward = member.RegionOnLeft;
-      const Index other = forward ? (node + 1) % nodes : (node + nodes - 1) % nodes;
-      const Index last = member.NodePlaces[other];
-      for (Index p = member.NodePlaces[node]; p != last;
-           p = forward ? (p + 1) % size : (p + size - 1) % size)
-      {
-        vertices.push_back(p);
-      }
-      r = ringPlace[other];
-    }
-    if (!vertices.empty())
-    {
-      this->AddRegion(member, face, vertices, shell);
-    }
-  }
-}
-
-ShellPatch CellShells::BuildShell(const CellCycle& member, double depth) const
-{
-  ShellPatch shell;
-  shell.Cycle = member.Cycle;
-  for (const Index point : member.Border)
-  {
-    shell.Points.push_back(this->Inward(this->PointOf(point), depth));
-  }
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    shell.Points.push_back(this->Inward(this->Corner(corner), depth));
-  }
-  this->AddWall(member, shell);
-  for (int face = 0; face < 6; ++face)
-  {
-    this->AddFace(member, face, shell);
-  }
-  return shell;
-}
-
-/// Drops the corners that are not used.
-void Compact(ShellPatch& shell)
-{
-  std::vector<Index> place(shell.Points.size(), -1);
-  std::vector<Point3> used;
-  for (auto& triangle : shell.Triangles)
-  {
-    for (Index& corner : triangle)
-    {
-      if (corner < 0)
-      {
-        Index& p = place[-1 - corner];
-        if (p < 0)
-        {
-          p = static_cast<Index>(used.size());
-          used.push_back(shell.Points[-1 - corner]);
-        }
-        corner = -1 - p;
-      }
-    }
-  }
-  shell.Points.swap(used);
-}
-
-void CellShells::Build(const Index* first, const Index* last, std::vector<ShellPatch>& shells)
-{
-  std::vector<CellCycle> members;
-  for (const Index* cycle = first; cycle != last; ++cycle)
-  {
-    members.push_back(this->Describe(*cycle));
-    this->FindRegion(members.back());
-    members.back().RegionOnLeft = this->IsRegionOnLeft(members.back());
-  }
-  this->SetExtent(members);
-  this->FindHeights(members);
-  for (const CellCycle& member : members)
-  {
-    shells.push_back(this->BuildShell(member, DeepestShell * member.Height / members.size()));
-    Compact(shells.back());
-  }
-}
-
-/// Whether rounding has left all triangles with an area, and apart but for common corners.
-bool CellShells::AreCertainlyApart(const std::vector<ShellPatch>& shells) const
-{
-  std::vector<PatchTriangle> triangles;
-  std::vector<Index> border, places;
+  this->HasNoAreaIn.assign(this->Pieces.size(), 0);
   Index firstId = 0;
-  for (const ShellPatch& shell : shells)
+  for (std::size_t i = 0; i < this->Pieces.size(); ++i)
   {
-    GetBoundary(
-      this->Graph, this->Lattice, this->Nodes, this->Polygons, shell.Cycle, border, places);
-    const Index size = static_cast<Index>(border.size());
-    for (const auto& triangle : shell.Triangles)
-    {
-      std::array<Point3, 3> corners;
-      std::array<Index, 3> ids;
-      for (int i = 0; i < 3; ++i)
-      {
-        const Index place = triangle[i];
-        corners[i] = place >= 0 ? this->PointOf(border[place]) : shell.Points[-1 - place];
-        ids[i] = firstId + (place >= 0 ? place : size - 1 - place);
-      }
-      if (HasNoArea(corners))
-      {
-        return false;
-      }
-      triangles.push_back({ shell.Cycle, corners, ids });
-    }
-    firstId += size + static_cast<Index>(shell.Points.size());
+    const Index piece = static_cast<Index>(i);
+    this->Pieces[i].IsFan() ? this->AddFan(piece, firstId, triangles)
+                            : this->AddMesh(piece, firstId, triangles);
   }
-  return AreAllCompatible(
-    triangles, [](const PatchTriangle&, const PatchTriangle&) { return true; });
-}
-
-/// Whether the triangle at a vertex turns left and has no other vertex inside or on its border.
-bool IsEmptyEar(const std::vector<Point2>& polygon, const std::vector<Index>& left, std::size_t ear)
-{
-  const std::size_t n = left.size();
-  const Index a = left[(ear + n - 1) % n];
-  const Index b = left[ear];
-  const Index c = left[(ear + 1) % n];
-  if (SideOf(polygon[a], polygon[b], polygon[c]) <= 0)
-  {
-    return false;
-  }
-  return std::none_of(left.begin(), left.end(),
-    [&](Index i)
-    {
-      return i != a && i != b && i != c && SideOf(polygon[a], polygon[b], polygon[i]) >= 0 &&
-        SideOf(polygon[b], polygon[c], polygon[i]) >= 0 &&
-        SideOf(polygon[c], polygon[a], polygon[i]) >= 0;
-    });
-}
-}
-
-std::vector<std::array<Index, 3>> TriangulatePolygon(const std::vector<Point2>& polygon)
-{
-  std::vector<Index> left(polygon.size());
-  for (std::size_t i = 0; i < left.size(); ++i)
-  {
-    left[i] = static_cast<Index>(i);
-  }
-  std::vector<std::array<Index, 3>> triangles;
-  std::size_t from = 0;
-  while (left.size() > 3)
-  {
-    const std::size_t n = left.size();
-    // Start where the last ear was: long thin runs of triangles instead of one fan.
-    std::size_t ear = from % n;
-    std::size_t tried = 0;
-    while (tried < n && !IsEmptyEar(polygon, left, ear))
-    {
-      ear = (ear + 1) % n;
-      ++tried;
-    }
-    triangles.push_back({ left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n] });
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
-    from = ear + 1;
-  }
-  triangles.push_back({ left[0], left[1], left[2] });
   return triangles;
 }
 
-SeparatedPatches SeparatePatches(const SpatialGrid& grid, const NodeGraph& graph,
-  const Crossings& crossings, const NodePoints& nodes, const Cycles& cycles,
-  const std::vector<double>& centralPoints, const Execution& execution)
+/// Takes the join with the least evidence out of a joined patch. The parts are tried anew.
+void CellPatches::Undo(Index index)
 {
-  const CellGroups groups = GroupByCell(grid, cycles, execution);
+  const Piece piece = this->Pieces[index];
+  CycleJoin* weakest = *std::min_element(piece.Joins.begin(), piece.Joins.end(),
+    [](const CycleJoin* a, const CycleJoin* b) { return a->Evidence < b->Evidence; });
+  weakest->Chosen = false;
+  weakest->Impossible = true;
+  this->Undone = true;
+  // The side of the first cycle of that join, by passes over the tree.
+  std::vector<Index> side(1, weakest->First);
+  const auto has = [&](Index cycle)
+  { return std::find(side.begin(), side.end(), cycle) != side.end(); };
+  for (std::size_t pass = 0; pass < piece.Joins.size(); ++pass)
+  {
+    for (const CycleJoin* join : piece.Joins)
+    {
+      if (join != weakest && has(join->First) != has(join->Second))
+      {
+        side.push_back(has(join->First) ? join->Second : join->First);
+      }
+    }
+  }
+  Piece parts[2];
+  for (const Index cycle : piece.Cycles)
+  {
+    parts[has(cycle) ? 0 : 1].Cycles.push_back(cycle);
+  }
+  for (CycleJoin* join : piece.Joins)
+  {
+    if (join != weakest)
+    {
+      Piece& part = parts[has(join->First) ? 0 : 1];
+      part.Joins.push_back(join);
+      part.Evidence = std::min(part.Evidence, join->Evidence);
+    }
+  }
+  for (Piece& part : parts)
+  {
+    part.Stitched = this->FindStitched(part.Cycles) != nullptr;
+  }
+  this->Pieces[index] = parts[0];
+  this->Pieces.push_back(parts[1]);
+  this->Meshes.emplace_back();
+}
+
+/// Which of two pieces that touch is in the wrong; both, if they are discs: -1.
+Index CellPatches::PieceToChange(Index a, Index b) const
+{
+  const Piece& first = this->Pieces[a];
+  const Piece& second = this->Pieces[b];
+  if (first.Joins.empty() && second.Joins.empty())
+  {
+    return -1;
+  }
+  // Shells have room beside each other only.
+  if (first.IsShell() != second.IsShell())
+  {
+    return first.IsShell() ? b : a;
+  }
+  return first.Evidence <= second.Evidence ? a : b;
+}
+
+/// Changes what is in the way. False if there are only shells of discs left.
+bool CellPatches::Change(const std::vector<std::pair<Index, Index>>& contacts)
+{
+  std::vector<std::uint8_t> change(this->Pieces.size(), 0);
+  for (const auto& contact : contacts)
+  {
+    const Index piece = this->PieceToChange(contact.first, contact.second);
+    if (piece >= 0)
+    {
+      change[piece] = 1;
+      continue;
+    }
+    change[contact.first] |= this->Pieces[contact.first].IsShell() ? 0 : 1;
+    change[contact.second] |= this->Pieces[contact.second].IsShell() ? 0 : 1;
+  }
+  bool any = false;
+  bool undone = false;
+  const std::size_t count = this->Pieces.size();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (change[i] == 0)
+    {
+      continue;
+    }
+    any = true;
+    const bool isLast = !this->MayShell && !this->Pieces[i].Joins.empty() &&
+      !this->Pieces[i].Stitched && this->Pieces[i].Shape + 1 == RingShares.size();
+    if (this->Pieces[i].IsShell() || isLast)
+    {
+      this->Undo(static_cast<Index>(i));
+      undone = true;
+      continue;
+    }
+    this->Pieces[i].Shape += this->Pieces[i].Stitched ? 0 : 1;
+    this->Pieces[i].Stitched = false;
+  }
+  // Shells depend on what is joined.
+  if (undone)
+  {
+    this->Shells.clear();
+  }
+  for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+  {
+    if (i >= count || change[i] != 0 || (undone && this->Pieces[i].IsShell()))
+    {
+      this->Build(static_cast<Index>(i));
+    }
+  }
+  return any;
+}
+
+void CellPatches::Run(const Index* first, const Index* last, CycleJoin* firstJoin,
+  CycleJoin* lastJoin, SeparatedPatches& result)
+{
+  this->First = first;
+  this->Last = last;
+  this->Pieces.clear();
+  this->Shells.clear();
+  this->Undone = false;
+  this->Group(firstJoin, lastJoin);
+  this->Meshes.assign(this->Pieces.size(), PatchMesh());
+  for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+  {
+    this->Pieces[i].Stitched = this->FindStitched(this->Pieces[i].Cycles) != nullptr;
+    this->Build(static_cast<Index>(i));
+  }
+  while (true)
+  {
+    std::vector<PatchTriangle> triangles = this->ListTriangles();
+    std::vector<PatchShape> shapes;
+    for (const Piece& piece : this->Pieces)
+    {
+      shapes.push_back(piece.IsFan() ? PatchShape::Fan
+          : piece.IsShell()          ? PatchShape::Shell
+                                     : PatchShape::Joined);
+    }
+    std::vector<std::pair<Index, Index>> contacts = FindContacts(triangles, shapes);
+    for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+    {
+      // A shell without triangles was not possible.
+      if (this->HasNoAreaIn[i] != 0 ||
+        (this->Pieces[i].IsShell() && this->Meshes[i].Triangles.empty()))
+      {
+        contacts.emplace_back(static_cast<Index>(i), static_cast<Index>(i));
+      }
+    }
+    if (contacts.empty())
+    {
+      break;
+    }
+    if (!this->Change(contacts))
+    {
+      result.Unresolved.insert(result.Unresolved.end(), first, last);
+      break;
+    }
+  }
+  for (PatchMesh& mesh : this->Meshes)
+  {
+    if (!mesh.Cycles.empty())
+    {
+      result.Meshes.push_back(std::move(mesh));
+    }
+  }
+  result.Undone |= this->Undone;
+}
+}
+
+SeparatedPatches SeparatePatches(const CycleGeometry& geometry,
+  const std::vector<double>& centralPoints, const std::vector<PatchMesh>& stitched, bool atAnyPrice,
+  const Execution& execution, std::vector<CycleJoin>& joins)
+{
+  const SpatialGrid& grid = geometry.Grid;
+  const int open =
+    (grid.Count(0) == 0 ? 1 : 0) + (grid.Count(1) == 0 ? 1 : 0) + (grid.Count(2) == 0 ? 1 : 0);
+  const bool mayShell = atAnyPrice || open < 2;
+  const CellGroups groups = GroupByCell(geometry.Grid, geometry.Polygons, execution);
+  // The joins of each cell, which are in the same order.
+  std::vector<std::pair<std::size_t, std::size_t>> joinsOf(groups.Several.size());
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < joinsOf.size(); ++i)
+  {
+    const auto& cell = geometry.Polygons.Cell[groups.Cycles[groups.Several[i].first]];
+    joinsOf[i].first = next;
+    while (next < joins.size() && geometry.Polygons.Cell[joins[next].First] == cell)
+    {
+      ++next;
+    }
+    joinsOf[i].second = next;
+  }
   std::vector<SeparatedPatches> found(groups.Several.size());
   execution.For(found.size(),
     [&](std::size_t begin, std::size_t end)
     {
-      CellShells cell(grid, graph, crossings, nodes, cycles);
+      CellPatches cell(geometry, centralPoints, stitched, mayShell);
       for (std::size_t i = begin; i < end; ++i)
       {
-        const Index* first = groups.Cycles.data() + groups.Several[i].first;
-        const Index* last = groups.Cycles.data() + groups.Several[i].second;
-        if (cell.MayCross(first, last, centralPoints))
-        {
-          cell.Build(first, last, found[i].Shells);
-          if (!cell.AreCertainlyApart(found[i].Shells))
-          {
-            found[i].Unresolved.assign(first, last);
-          }
-        }
+        cell.Run(groups.Cycles.data() + groups.Several[i].first,
+          groups.Cycles.data() + groups.Several[i].second, joins.data() + joinsOf[i].first,
+          joins.data() + joinsOf[i].second, found[i]);
       }
     });
   SeparatedPatches result;
   result.SharedCells = static_cast<Index>(found.size());
   for (SeparatedPatches& part : found)
   {
-    std::move(part.Shells.begin(), part.Shells.end(), std::back_inserter(result.Shells));
+    std::move(part.Meshes.begin(), part.Meshes.end(), std::back_inserter(result.Meshes));
     result.Unresolved.insert(
       result.Unresolved.end(), part.Unresolved.begin(), part.Unresolved.end());
+    result.Undone |= part.Undone;
   }
-  std::sort(result.Shells.begin(), result.Shells.end(),
-    [](const ShellPatch& a, const ShellPatch& b) { return a.Cycle < b.Cycle; });
+  std::sort(result.Meshes.begin(), result.Meshes.end(),
+    [](const PatchMesh& a, const PatchMesh& b) { return a.Cycles.front() < b.Cycles.front(); });
   return result;
 }
 }

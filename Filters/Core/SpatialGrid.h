@@ -101,6 +101,22 @@ struct SpatialGrid
     return planes.size() < 2 ? this->Extent[axis]
                              : (planes.back() - planes.front()) / (planes.size() - 1.0);
   }
+
+  /// Width of a slab; the mean spacing for an unbounded one.
+  double Width(int axis, Index slab) const
+  {
+    const auto& planes = this->Planes[axis];
+    return slab > 0 && slab < this->Count(axis) ? planes[slab] - planes[slab - 1]
+                                                : this->MeanSpacing(axis);
+  }
+};
+
+/// A face of M: the rectangle between its four grid lines, on a slice.
+struct Face
+{
+  int Axis;
+  Index Plane;
+  std::array<Index, 2> Slab; ///< along FirstAxis and SecondAxis
 };
 
 /// An edge of M in numbers: direction, the planes of the other two axes, slab.

@@ -41,7 +41,8 @@ std::array<Index, 3> CellOf(
 }
 }
 
-Cycles TraceCycles(const SpatialGrid& grid, const Crossings& crossings, const NodePoints& nodes)
+Cycles TraceCycles(const SpatialGrid& grid, const Crossings& crossings, const NodePoints& nodes,
+  const NodeGraph& graph)
 {
   const GridEdgeCode code(grid);
   Cycles cycles;
@@ -67,6 +68,21 @@ Cycles TraceCycles(const SpatialGrid& grid, const Crossings& crossings, const No
       cycles.Offsets.push_back(static_cast<Index>(cycles.Arcs.size()));
     }
   }
+  for (std::size_t loop = 0; loop < graph.Loops.size(); ++loop)
+  {
+    const Face& face = graph.Loops[loop];
+    std::array<Index, 3> cell;
+    cell[face.Axis] = face.Plane;
+    cell[FirstAxis(face.Axis)] = face.Slab[0];
+    cell[SecondAxis(face.Axis)] = face.Slab[1];
+    for (const bool above : { false, true })
+    {
+      cycles.Arcs.push_back({ graph.Arcs + static_cast<Index>(loop), above });
+      cycles.Offsets.push_back(static_cast<Index>(cycles.Arcs.size()));
+      cycles.Cell.push_back(cell);
+      ++cell[face.Axis];
+    }
+  }
   return cycles;
 }
 
@@ -78,8 +94,11 @@ void GetBoundary(const NodeGraph& graph, const Crossings& crossings, const NodeP
   for (Index i = cycles.Offsets[cycle]; i < cycles.Offsets[cycle + 1]; ++i)
   {
     const HalfArc& half = cycles.Arcs[i];
-    nodePlaces.push_back(static_cast<Index>(points.size()));
-    points.push_back(StartNode(crossings, nodes, half));
+    if (!graph.IsLoop(half.Arc))
+    {
+      nodePlaces.push_back(static_cast<Index>(points.size()));
+      points.push_back(StartNode(crossings, nodes, half));
+    }
     const Index first = graph.FirstPoint(half.Arc);
     const Index count = graph.PointCount(half.Arc);
     const std::size_t place = points.size();
@@ -134,10 +153,11 @@ CellGroups GroupByCell(const SpatialGrid& grid, const Cycles& cycles, const Exec
   return groups;
 }
 
-std::vector<Index> CountPolygonSizes(const Cycles& cycles)
+std::vector<Index> CountPolygonSizes(const Cycles& cycles, const NodeGraph& graph)
 {
   std::vector<Index> histogram;
-  for (Index i = 0; i < cycles.Count(); ++i)
+  const Index polygons = cycles.Count() - 2 * static_cast<Index>(graph.Loops.size());
+  for (Index i = 0; i < polygons; ++i)
   {
     const std::size_t size = cycles.Size(i);
     histogram.resize(std::max(histogram.size(), size + 1), 0);

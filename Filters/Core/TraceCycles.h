@@ -19,6 +19,9 @@ struct HalfArc
  * Cycle i has the half-arcs Arcs[Offsets[i]] to Arcs[Offsets[i + 1] - 1] in order; half-arcs above
  * their slice are passed forward, those below backward, so that the outside of the surface lies
  * where the cycle is seen counter-clockwise. Cell[i] is the cell of M: slabs along x, y, z.
+ *
+ * The cycles of node points come first, then two for each loop of G, which has none: below its
+ * slice and above.
  */
 struct Cycles
 {
@@ -36,9 +39,10 @@ struct Cycles
  * and every arc is part of exactly one cycle on each side of its slice: the surface is closed by
  * construction.
  */
-Cycles TraceCycles(const SpatialGrid& grid, const Crossings& crossings, const NodePoints& nodes);
+Cycles TraceCycles(const SpatialGrid& grid, const Crossings& crossings, const NodePoints& nodes,
+  const NodeGraph& graph);
 
-/// Node at which a half-arc starts, in the direction of its cycle.
+/// Node at which a half-arc starts, in the direction of its cycle. REQUIRES: no loop.
 inline Index StartNode(const Crossings& crossings, const NodePoints& nodes, const HalfArc& half)
 {
   return nodes.NodeOf[half.Above ? half.Arc : crossings.Next[half.Arc]];
@@ -46,7 +50,7 @@ inline Index StartNode(const Crossings& crossings, const NodePoints& nodes, cons
 
 /**
  * The points of G around a cycle, in its direction, and where the nodes are among them: node i of
- * the cycle is points[nodePlaces[i]]. Reuses the memory of both vectors.
+ * the cycle is points[nodePlaces[i]]; a loop has none. Reuses the memory of both vectors.
  */
 void GetBoundary(const NodeGraph& graph, const Crossings& crossings, const NodePoints& nodes,
   const Cycles& cycles, Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces);
@@ -60,8 +64,8 @@ struct CellGroups
 
 CellGroups GroupByCell(const SpatialGrid& grid, const Cycles& cycles, const Execution& execution);
 
-/// Entry i counts the cycles with i node points (the paper's Figure 8).
-std::vector<Index> CountPolygonSizes(const Cycles& cycles);
+/// Entry i counts the cycles with i node points (the paper's Figure 8); loops are not counted.
+std::vector<Index> CountPolygonSizes(const Cycles& cycles, const NodeGraph& graph);
 }
 
 #endif

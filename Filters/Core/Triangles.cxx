@@ -17,18 +17,24 @@ void LayOutTriangles(const NodeGraph& graph, const Cycles& cycles, Patches& patc
     std::int64_t border = 0;
     for (Index i = cycles.Offsets[cycle]; i < cycles.Offsets[cycle + 1]; ++i)
     {
-      border += 1 + graph.PointCount(cycles.Arcs[i].Arc);
+      const Index arc = cycles.Arcs[i].Arc;
+      border += (graph.IsLoop(arc) ? 0 : 1) + graph.PointCount(arc);
     }
     patches.Offsets[cycle + 1] = border;
   }
   Index nextPoint = graph.Count() + cycles.Count();
-  for (const ShellPatch& shell : patches.Shells)
+  patches.MeshOffsets.clear();
+  for (const PatchMesh& mesh : patches.Meshes)
   {
-    patches.Offsets[shell.Cycle + 1] = static_cast<std::int64_t>(shell.Triangles.size());
-    patches.ShellOffsets.push_back(nextPoint);
-    nextPoint += static_cast<Index>(shell.Points.size()) - 1;
-    std::copy(shell.Points.front().begin(), shell.Points.front().end(),
-      patches.CentralPoints.begin() + 3 * static_cast<std::size_t>(shell.Cycle));
+    for (std::size_t k = 0; k < mesh.Cycles.size(); ++k)
+    {
+      patches.Offsets[mesh.Cycles[k] + 1] = 0;
+      std::copy(mesh.Points[k].begin(), mesh.Points[k].end(),
+        patches.CentralPoints.begin() + 3 * static_cast<std::size_t>(mesh.Cycles[k]));
+    }
+    patches.Offsets[mesh.Cycles.front() + 1] = static_cast<std::int64_t>(mesh.Triangles.size());
+    patches.MeshOffsets.push_back(nextPoint);
+    nextPoint += static_cast<Index>(mesh.Points.size() - mesh.Cycles.size());
   }
   std::partial_sum(patches.Offsets.begin(), patches.Offsets.end(), patches.Offsets.begin());
 }
@@ -53,52 +59,59 @@ void WriteFans(const std::vector<Index>& border, const std::vector<Quadrilateral
 }
 
 template <typename Id>
-void WriteShell(
-  const ShellPatch& shell, const std::vector<Index>& border, Id firstPoint, Id otherPoints, Id* out)
+void WriteMesh(
+  const PatchMesh& mesh, const std::vector<Index>& borders, Id centers, Id otherPoints, Id* out)
 {
-  for (const auto& triangle : shell.Triangles)
+  const Index members = static_cast<Index>(mesh.Cycles.size());
+  for (const auto& triangle : mesh.Triangles)
   {
     for (const Index corner : triangle)
     {
-      const Id own = corner == -1 ? firstPoint : otherPoints + static_cast<Id>(-2 - corner);
-      *out++ = corner >= 0 ? static_cast<Id>(border[corner]) : own;
+      const Index own = -1 - corner;
+      *out++ = corner >= 0 ? static_cast<Id>(borders[corner])
+        : own < members    ? centers + static_cast<Id>(mesh.Cycles[own])
+                           : otherPoints + static_cast<Id>(own - members);
     }
   }
 }
 }
 
 template <typename Id>
-void WriteTriangles(const Patches& patches, const NodeGraph& graph, const Crossings& crossings,
-  const NodePoints& nodes, const Cycles& cycles, const Execution& execution, Id* connectivity)
+void WriteTriangles(const Patches& patches, const CycleGeometry& geometry,
+  const Execution& execution, Id* connectivity)
 {
-  execution.For(cycles.Count(),
+  execution.For(geometry.Polygons.Count(),
     [&](std::size_t begin, std::size_t end)
     {
       std::vector<Index> border, nodePlaces;
       std::vector<Quadrilateral> quadrilaterals;
-      auto shell = std::lower_bound(patches.Shells.begin(), patches.Shells.end(), begin,
-        [](const ShellPatch& s, std::size_t cycle)
-        { return static_cast<std::size_t>(s.Cycle) < cycle; });
+      const Id centers = static_cast<Id>(geometry.Graph.Count());
+      auto mesh = std::lower_bound(patches.Meshes.begin(), patches.Meshes.end(), begin,
+        [](const PatchMesh& m, std::size_t cycle)
+        { return static_cast<std::size_t>(m.Cycles.front()) < cycle; });
       for (std::size_t cycle = begin; cycle < end; ++cycle)
       {
-        GetBoundary(graph, crossings, nodes, cycles, static_cast<Index>(cycle), border, nodePlaces);
-        const Id center = static_cast<Id>(graph.Count()) + static_cast<Id>(cycle);
-        Id* out = connectivity + 3 * patches.Offsets[cycle];
-        if (shell != patches.Shells.end() && static_cast<std::size_t>(shell->Cycle) == cycle)
+        if (patches.Offsets[cycle] == patches.Offsets[cycle + 1])
         {
-          const Index others = patches.ShellOffsets[shell - patches.Shells.begin()];
-          WriteShell(*shell, border, center, static_cast<Id>(others), out);
-          ++shell;
+          continue; // part of another cycle's patch
+        }
+        Id* out = connectivity + 3 * patches.Offsets[cycle];
+        if (mesh != patches.Meshes.end() && static_cast<std::size_t>(mesh->Cycles.front()) == cycle)
+        {
+          const Index others = patches.MeshOffsets[mesh - patches.Meshes.begin()];
+          WriteMesh(
+            *mesh, geometry.GetBorders(mesh->Cycles), centers, static_cast<Id>(others), out);
+          ++mesh;
           continue;
         }
+        geometry.GetBoundary(static_cast<Index>(cycle), border, nodePlaces);
+        const Id center = centers + static_cast<Id>(cycle);
         SplitIntoQuadrilaterals(static_cast<Index>(border.size()), nodePlaces, quadrilaterals);
         WriteFans(border, quadrilaterals, center, out);
       }
     });
 }
 
-template void WriteTriangles(const Patches&, const NodeGraph&, const Crossings&, const NodePoints&,
-  const Cycles&, const Execution&, std::int32_t*);
-template void WriteTriangles(const Patches&, const NodeGraph&, const Crossings&, const NodePoints&,
-  const Cycles&, const Execution&, long long*);
+template void WriteTriangles(const Patches&, const CycleGeometry&, const Execution&, std::int32_t*);
+template void WriteTriangles(const Patches&, const CycleGeometry&, const Execution&, long long*);
 }

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesIsolatedContours_h
+#define OrthoSlicesIsolatedContours_h
+
+#include "NodeGraph.h"
+
+namespace orthoslices
+{
+/// Contours without node points, as they are: closed polylines within one face of M each.
+struct IsolatedContours
+{
+  std::vector<double> Points; ///< x, y, z
+  std::vector<Index> Offsets{ 0 };
+  std::vector<std::int8_t> Axis;
+  std::vector<Index> Plane;
+  /// Never a loop of G: a part that the other slices contradict and that was cut off, or a contour
+  /// that is too small.
+  std::vector<std::uint8_t> LeftOut;
+  /// The loop of G, or None for those that take no part in the surface.
+  std::vector<Index> Loop;
+
+  static constexpr Index None = -1;
+  Index Count() const { return static_cast<Index>(this->Axis.size()); }
+};
+
+/**
+ * Parts that were cut off are left out. But a contour that has lost all of its crossings and a small
+ * part of its area, because it grazed a plane on which the other slices have nothing, is isolated:
+ * the rest of it stays, if `keepGrazing`: where the slices agree otherwise.
+ */
+IsolatedContours CopyIsolated(const std::vector<IsolatedLoop>& loops, const Contours& contours,
+  const Crossings& crossings, bool keepGrazing = true);
+
+/// How many take no part in the surface.
+Index CountLeftOut(const IsolatedContours& isolated);
+
+/**
+ * Makes loops of G of the whole isolated contours (our own addition; the paper leaves them open).
+ * Vertices on the border of their face move inside by the grid's Margin. Contours that cross
+ * themselves or each other are taken apart (see UncrossCurves). One that still touches an arc or a
+ * larger loop of its face takes no part in the surface, nor does one whose bounding box has a
+ * diagonal of less than `least`. Loops that G had before are replaced. REQUIRES: EmbedArcs has run.
+ */
+void EmbedIsolated(const SpatialGrid& grid, const NodePoints& nodes, const Execution& execution,
+  double least, Crossings& crossings, IsolatedContours& isolated, NodeGraph& graph);
+}
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesPatchMesh_h
+#define OrthoSlicesPatchMesh_h
+
+#include "TraceCycles.h"
+
+namespace orthoslices
+{
+/// Why a patch is not the fan of one cycle around its central point.
+enum class PatchKind
+{
+  Shell, ///< it would have crossed another patch: see CellShells
+  Joined ///< it is bounded by several cycles: see JoinPatch
+};
+
+/**
+ * A patch that is not a fan. Corners of its triangles are places on the borders of its cycles (see
+ * GetBoundary), one border after another, or -1 - i for Points[i].
+ */
+struct PatchMesh
+{
+  PatchKind Kind;
+  std::vector<Index> Cycles; ///< ascending
+  std::vector<Point3> Points;
+  std::vector<std::array<Index, 3>> Triangles;
+};
+
+/// The cycles of all cells, and what they are made of.
+struct CycleGeometry
+{
+  const SpatialGrid& Grid;
+  const NodeGraph& Graph;
+  const Crossings& Lattice;
+  const NodePoints& Nodes;
+  const Cycles& Polygons;
+
+  const HalfArc& FirstArc(Index cycle) const
+  {
+    return this->Polygons.Arcs[this->Polygons.Offsets[cycle]];
+  }
+  bool IsLoop(Index cycle) const { return this->Graph.IsLoop(this->FirstArc(cycle).Arc); }
+  /// The loop of a cycle that has no node points.
+  Index LoopOf(Index cycle) const { return this->FirstArc(cycle).Arc - this->Graph.Arcs; }
+  /// The node at which the cycle starts, or the number of its loop after all nodes.
+  Index PartOf(Index cycle) const
+  {
+    return this->IsLoop(cycle) ? this->Graph.Nodes + this->LoopOf(cycle)
+                               : StartNode(this->Lattice, this->Nodes, this->FirstArc(cycle));
+  }
+  /// See orthoslices::GetBoundary.
+  void GetBoundary(Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces) const
+  {
+    orthoslices::GetBoundary(
+      this->Graph, this->Lattice, this->Nodes, this->Polygons, cycle, points, nodePlaces);
+  }
+  /// The borders of several cycles, one after another.
+  std::vector<Index> GetBorders(const std::vector<Index>& cycles) const;
+};
+
+/// Euler characteristic of a patch.
+Index EulerCharacteristic(const PatchMesh& mesh);
+
+/// A triangle of a patch, its corners' places in a list of all points of the cell, and its box.
+struct PatchTriangle
+{
+  PatchTriangle(Index patch, const std::array<Point3, 3>& corners, const std::array<Index, 3>& ids);
+
+  bool BoxMeets(const PatchTriangle& other, int axis) const
+  {
+    return this->Low[axis] <= other.High[axis] && other.Low[axis] <= this->High[axis];
+  }
+
+  Index Patch;
+  std::array<Point3, 3> Corners;
+  std::array<Index, 3> Ids;
+  Point3 Low, High;
+};
+
+/// What a patch is, for FindContacts.
+enum class PatchShape : std::uint8_t
+{
+  Fan, ///< cannot touch itself
+  Shell,
+  Joined
+};
+
+/**
+ * Pairs of patches with triangles that do not certainly meet in common corners only; (p, p) for a
+ * patch that may touch itself. Ascending, each pair once. Of two fans or shells that touch others
+ * it may be left out that they touch each other, too. Sorts the triangles along x.
+ */
+std::vector<std::pair<Index, Index>> FindContacts(
+  std::vector<PatchTriangle>& triangles, const std::vector<PatchShape>& shapes);
+}
+
+#endif

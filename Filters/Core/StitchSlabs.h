@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesStitchSlabs_h
+#define OrthoSlicesStitchSlabs_h
+
+#include "Correspondence.h"
+#include "PatchMesh.h"
+
+namespace orthoslices
+{
+/// Which contours of parallel slices belong together where no orthogonal slice says so.
+enum class LoopCriterion
+{
+  ByEvidence, ///< those that overlap, and others by the evidence of CycleJoin
+  Overlap,
+  EllipticalCylinders,
+  SpanningTree,
+  ReebGraph
+};
+
+/// Two loops that bound one patch, by their cycles in its cell; First < Second.
+struct LoopPair
+{
+  Index First, Second;
+};
+
+/// What a criterion says of the loops of G, whose cycles are the last ones. ByEvidence: overlap.
+std::vector<LoopPair> PairLoops(
+  const CycleGeometry& geometry, LoopCriterion criterion, const PriorKnowledge& known);
+
+/**
+ * The surface between parallel slices (our own addition): if there are slices of one family only,
+ * all contours are loops, and each slab between two slices is one cell. The contours of a slab are
+ * joined by overlay, see OverlaySlab: all of them together, so that patches cannot meet, or those
+ * that the criterion joins by themselves, sheared if they do not overlap. New vertices are
+ * inserted into the loops of G where contours cross in projection.
+ *
+ * Returns the patches, ascending by their first cycle; slabs that rounding spoils have none.
+ */
+std::vector<PatchMesh> StitchSlabs(const SpatialGrid& grid, const Cycles& polygons,
+  LoopCriterion criterion, const std::vector<LoopPair>& pairs, const Execution& execution,
+  NodeGraph& graph);
+}
+
+#endif

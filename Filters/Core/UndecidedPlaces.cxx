@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "UndecidedPlaces.h"
+
+#include "Vectors.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace orthoslices
+{
+namespace
+{
+/// Evidence up to which a place is undecided, for or against.
+constexpr double WeakEvidence = 1.5;
+
+struct Box
+{
+  Point3 Low, High;
+};
+
+/// Planes of an axis that settle a place: all with coordinates between the two.
+struct Interval
+{
+  Index Place;
+  int Axis;
+  double Low, High;
+};
+
+Box BoxOf(const CycleGeometry& geometry, Index cycle)
+{
+  Box box;
+  box.Low.fill(std::numeric_limits<double>::infinity());
+  box.High.fill(-std::numeric_limits<double>::infinity());
+  for (const Index point : geometry.GetBorders({ cycle }))
+  {
+    const Point3 p = geometry.Graph.PointAt(point);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.Low[axis] = std::min(box.Low[axis], p[axis]);
+      box.High[axis] = std::max(box.High[axis], p[axis]);
+    }
+  }
+  return box;
+}
+
+class Proposer
+{
+public:
+  explicit Proposer(const CycleGeometry& geometry)
+    : Geometry(geometry)
+  {
+  }
+
+  UndecidedPlaces Run(const std::vector<CycleJoin>& joins, Index mostPlanes);
+
+private:
+  void AddPlace(const CycleJoin& join);
+  void AddIntervals(const CycleJoin& join, const Box& a, const Box& b);
+  void AddThroughLoop(Index cycle, const Box& box);
+  void AddInterval(int axis, double low, double high);
+  bool ProposePlane();
+
+  const CycleGeometry& Geometry;
+  UndecidedPlaces Result;
+  std::vector<Interval> Intervals; ///< of places without a plane
+};
+
+/// Adds planes of the last place. Intervals that overlap become one: a plane settles a place once.
+void Proposer::AddInterval(int axis, double low, double high)
+{
+  const Index place = static_cast<Index>(this->Result.Places.size()) - 1;
+  for (auto other = this->Intervals.rbegin();
+       other != this->Intervals.rend() && other->Place == place; ++other)
+  {
+    if (other->Axis == axis && low <= other->High && other->Low <= high)
+    {
+      other->Low = std::min(other->Low, low);
+      other->High = std::max(other->High, high);
+      return;
+    }
+  }
+  this->Intervals.push_back({ place, axis, low, high });
+}
+
+/// Planes across the contour: they give it node points.
+void Proposer::AddThroughLoop(Index cycle, const Box& box)
+{
+  const int axis = this->Geometry.Graph.Loops[this->Geometry.LoopOf(cycle)].Axis;
+  for (const int across : { FirstAxis(axis), SecondAxis(axis) })
+  {
+    // The middle half, where a plane does not just touch it.
+    const double quarter = 0.25 * (box.High[across] - box.Low[across]);
+    this->AddInterval(across, box.Low[across] + quarter, box.High[across] - quarter);
+  }
+}
+
+void Proposer::AddIntervals(const CycleJoin& join, const Box& a, const Box& b)
+{
+  const Index place = static_cast<Index>(this->Result.Places.size()) - 1;
+  const bool firstIsLoop = this->Geometry.IsLoop(join.First);
+  const bool secondIsLoop = this->Geometry.IsLoop(join.Second);
+  if (firstIsLoop)
+  {
+    this->AddThroughLoop(join.First, a);
+  }
+  if (secondIsLoop)
+  {
+    this->AddThroughLoop(join.Second, b);
+  }
+  if (firstIsLoop || secondIsLoop)
+  {
+    return;
+  }
+  int widest = 0;
+  Point3 distance;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = std::min(a.High[axis], b.High[axis]);
+    const double high = std::max(a.Low[axis], b.Low[axis]);
+    if (low < high)
+    {
+      const double quarter = 0.25 * (high - low);
+      this->AddInterval(axis, low + quarter, high - quarter);
+    }
+    distance[axis] = std::abs(a.Low[axis] + a.High[axis] - b.Low[axis] - b.High[axis]);
+    widest = distance[axis] > distance[widest] ? axis : widest;
+  }
+  if (this->Intervals.empty() || this->Intervals.back().Place != place)
+  {
+    // They lie beside each other along every axis: halve the cell.
+    const double middle = 0.25 * (a.Low[widest] + a.High[widest] + b.Low[widest] + b.High[widest]);
+    this->AddInterval(widest, middle, middle);
+  }
+}
+
+void Proposer::AddPlace(const CycleJoin& join)
+{
+  const Box a = BoxOf(this->Geometry, join.First);
+  const Box b = BoxOf(this->Geometry, join.Second);
+  const Index loops =
+    (this->Geometry.IsLoop(join.First) ? 1 : 0) + (this->Geometry.IsLoop(join.Second) ? 1 : 0);
+  UndecidedPlace place;
+  place.Where = 0.25 * ((a.Low + a.High) + (b.Low + b.High));
+  place.Kind = loops == 0 ? UndecidedKind::TwoCycles
+    : loops == 1          ? UndecidedKind::IsolatedContour
+                          : UndecidedKind::IsolatedContours;
+  place.Choice = join.Impossible ? UndecidedChoice::Impossible
+    : join.Chosen                ? UndecidedChoice::Joined
+                                 : UndecidedChoice::Separate;
+  place.Evidence = join.Evidence;
+  place.PlaneRank = -1;
+  this->Result.Places.push_back(place);
+  this->AddIntervals(join, a, b);
+}
+
+/// Proposes the plane in most intervals, and takes out the places that it settles.
+bool Proposer::ProposePlane()
+{
+  Index most = 0;
+  ProposedPlane best{ 0, 0.0, 0 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Intervals begin (+1) before they end (-1) at the same coordinate.
+    std::vector<std::pair<double, int>> ends;
+    for (const Interval& interval : this->Intervals)
+    {
+      if (interval.Axis == axis)
+      {
+        ends.emplace_back(interval.Low, -1);
+        ends.emplace_back(interval.High, 1);
+      }
+    }
+    std::sort(ends.begin(), ends.end());
+    Index open = 0;
+    for (std::size_t i = 0; i < ends.size(); ++i)
+    {
+      open -= ends[i].second;
+      if (open > most)
+      {
+        most = open;
+        // The next end is that of an interval, or the beginning of a place that is settled elsewhere.
+        best = { axis, 0.5 * (ends[i].first + ends[i + 1].first), 0 };
+      }
+    }
+  }
+  if (most == 0)
+  {
+    return false;
+  }
+  const int rank = static_cast<int>(this->Result.Planes.size());
+  for (const Interval& interval : this->Intervals)
+  {
+    UndecidedPlace& place = this->Result.Places[interval.Place];
+    if (place.PlaneRank < 0 && interval.Axis == best.Axis && interval.Low <= best.Coordinate &&
+      best.Coordinate <= interval.High)
+    {
+      place.PlaneRank = rank;
+      ++best.Settles;
+    }
+  }
+  this->Result.Planes.push_back(best);
+  this->Intervals.erase(
+    std::remove_if(this->Intervals.begin(), this->Intervals.end(),
+      [&](const Interval& interval) { return this->Result.Places[interval.Place].PlaneRank >= 0; }),
+    this->Intervals.end());
+  return true;
+}
+
+UndecidedPlaces Proposer::Run(const std::vector<CycleJoin>& joins, Index mostPlanes)
+{
+  for (const CycleJoin& join : joins)
+  {
+    if (join.Impossible || std::abs(join.Evidence) < WeakEvidence)
+    {
+      this->AddPlace(join);
+    }
+  }
+  for (Index i = 0; i < mostPlanes && this->ProposePlane(); ++i)
+  {
+  }
+  std::stable_sort(this->Result.Places.begin(), this->Result.Places.end(),
+    [](const UndecidedPlace& a, const UndecidedPlace& b)
+    {
+      // Without a plane at the end.
+      const unsigned rankA = static_cast<unsigned>(a.PlaneRank);
+      const unsigned rankB = static_cast<unsigned>(b.PlaneRank);
+      return rankA != rankB ? rankA < rankB : a.Evidence > b.Evidence;
+    });
+  return std::move(this->Result);
+}
+}
+
+UndecidedPlaces FindUndecidedPlaces(
+  const CycleGeometry& geometry, const std::vector<CycleJoin>& joins, Index mostPlanes)
+{
+  return Proposer(geometry).Run(joins, mostPlanes);
+}
+}

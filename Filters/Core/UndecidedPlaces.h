@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesUndecidedPlaces_h
+#define OrthoSlicesUndecidedPlaces_h
+
+#include "JoinCycles.h"
+
+namespace orthoslices
+{
+/// What the slices leave open. The numbers are part of the output.
+enum class UndecidedKind
+{
+  TwoCycles = 0,       ///< a tube, or two ends
+  IsolatedContour = 1, ///< an isolated contour and the patch that it may go on to
+  IsolatedContours = 2 ///< two isolated contours
+};
+
+/// What was chosen. The numbers are part of the output.
+enum class UndecidedChoice
+{
+  Separate = 0,
+  Joined = 1,
+  Impossible = 2 ///< separate, because no joined patch without crossings was found
+};
+
+/// A place where the slices do not say which contours belong together.
+struct UndecidedPlace
+{
+  Point3 Where; ///< between the two
+  UndecidedKind Kind;
+  UndecidedChoice Choice;
+  double Evidence; ///< for joining them; see CycleJoin
+  int PlaneRank;   ///< of the proposed plane that settles it, 0 for the best; -1 without one
+};
+
+/// A slice to be added.
+struct ProposedPlane
+{
+  int Axis;
+  double Coordinate;
+  Index Settles; ///< number of undecided places that are settled by this plane and no better one
+};
+
+/// By the rank of their planes, then by evidence.
+struct UndecidedPlaces
+{
+  std::vector<UndecidedPlace> Places;
+  std::vector<ProposedPlane> Planes;
+};
+
+/**
+ * Where to slice next (our own addition). A place counts as undecided if its evidence is weak,
+ * or if what was chosen is impossible. It is settled by a slice that passes between two cycles, or
+ * through an isolated contour, which gets node points there. The plane that settles most places is
+ * proposed first, then the one that settles most of the others, and so on (greedy stabbing of
+ * intervals), at most `mostPlanes`.
+ */
+UndecidedPlaces FindUndecidedPlaces(
+  const CycleGeometry& geometry, const std::vector<CycleJoin>& joins, Index mostPlanes = 1000);
+}
+
+#endif
