@@ -190,8 +190,12 @@ void GraphWriter::AddIsolated()
     this->Ids.push_back(this->Ids.front());
     const vtkIdType count = static_cast<vtkIdType>(this->Ids.size());
     this->Lines->InsertNextCell(count, this->Ids.data());
+    const Index loop = isolated.Loop[i];
+    const int component = loop == IsolatedContours::None
+      ? -1
+      : this->Result.Graph.Component[this->Result.Graph.Nodes + loop];
     this->AddRow({ IsolatedKind, 0.0, isolated.Axis[i], isolated.Plane[i],
-      this->SumLength(count, this->Ids.data()), -1, 0.0 });
+      this->SumLength(count, this->Ids.data()), component, 0.0 });
   }
 }
 }

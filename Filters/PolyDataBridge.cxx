@@ -144,8 +144,8 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
   {
     offset[i] = static_cast<typename IdArray::ValueType>(3 * i);
   }
-  WriteTriangles(result.Surface, result.Graph, result.Lattice, result.Nodes, result.Polygons,
-    execution, connectivity->GetPointer(0));
+  const CycleGeometry geometry = GeometryOf(result);
+  WriteTriangles(result.Surface, geometry, execution, connectivity->GetPointer(0));
   cells->SetData(offsets, connectivity);
 }
 
@@ -163,16 +163,42 @@ std::vector<unsigned char> FindRepairs(const Reconstruction& result, double tole
     for (Index a = polygons.Offsets[i]; a < polygons.Offsets[i + 1]; ++a)
     {
       const HalfArc& half = polygons.Arcs[a];
+      if (result.Graph.IsLoop(half.Arc))
+      {
+        continue;
+      }
       const Index node = StartNode(result.Lattice, result.Nodes, half);
       repairs[i] |= result.Nodes.Disagreement(node) > tolerance ? 1 : 0;
       repairs[i] |= !result.Graph.Redrawn.empty() && result.Graph.Redrawn[half.Arc] != 0 ? 2 : 0;
     }
   }
-  for (const ShellPatch& shell : result.Surface.Shells)
+  for (const PatchMesh& mesh : result.Surface.Meshes)
   {
-    repairs[shell.Cycle] |= 4;
+    for (const Index cycle : mesh.Cycles)
+    {
+      repairs[mesh.Cycles.front()] |= repairs[cycle] | (mesh.Kind == PatchKind::Shell ? 4 : 0);
+    }
   }
   return repairs;
+}
+
+/// Node points around each patch; a patch with several cycles counts as that of the first one.
+std::vector<Index> CountNodePoints(const Reconstruction& result)
+{
+  const CycleGeometry geometry = GeometryOf(result);
+  std::vector<Index> sizes(result.Polygons.Count());
+  for (Index i = 0; i < result.Polygons.Count(); ++i)
+  {
+    sizes[i] = geometry.IsLoop(i) ? 0 : result.Polygons.Size(i);
+  }
+  for (const PatchMesh& mesh : result.Surface.Meshes)
+  {
+    for (std::size_t i = 1; i < mesh.Cycles.size(); ++i)
+    {
+      sizes[mesh.Cycles.front()] += sizes[mesh.Cycles[i]];
+    }
+  }
+  return sizes;
 }
 
 /// Distance of the two contours at the node points, 0 at all other points.
@@ -193,12 +219,13 @@ void AddDisagreement(const Reconstruction& result, vtkIdType points, vtkPointDat
 void FillCellArrays(Reconstruction& result, double reportTolerance, vtkCellData* data)
 {
   const Cycles& polygons = result.Polygons;
+  const CycleGeometry geometry = GeometryOf(result);
   std::vector<int> components(polygons.Count());
   for (Index i = 0; i < polygons.Count(); ++i)
   {
-    const HalfArc& half = polygons.Arcs[polygons.Offsets[i]];
-    components[i] = result.Graph.Component[StartNode(result.Lattice, result.Nodes, half)];
+    components[i] = result.Graph.Component[geometry.PartOf(i)];
   }
+  const std::vector<Index> sizes = CountNodePoints(result);
   const std::vector<unsigned char> repairs = FindRepairs(result, reportTolerance);
   result.Lattice = Crossings();
   result.Nodes = NodePoints();
@@ -216,7 +243,7 @@ void FillCellArrays(Reconstruction& result, double reportTolerance, vtkCellData*
     std::fill(component + begin, component + end, components[i]);
     std::fill(repair + begin, repair + end, repairs[i]);
     std::fill(size + begin, size + end,
-      static_cast<unsigned short>(std::min<Index>(polygons.Size(i), VTK_UNSIGNED_SHORT_MAX)));
+      static_cast<unsigned short>(std::min<Index>(sizes[i], VTK_UNSIGNED_SHORT_MAX)));
     for (std::int64_t triangle = begin; triangle < end; ++triangle)
     {
       std::copy(polygons.Cell[i].begin(), polygons.Cell[i].end(), cell + 3 * triangle);
@@ -301,6 +328,10 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
   add("NumberOfContours",
     vtkIdType(result.ContourCount[0]) + result.ContourCount[1] + result.ContourCount[2]);
   add("NumberOfIsolatedContours", result.Isolated.Count());
+  add("NumberOfContoursLeftOut", CountLeftOut(result.Isolated));
+  add("NumberOfComponentsLeftOut", result.SmallComponents);
+  add("NumberOfUndecidedPlaces", static_cast<vtkIdType>(result.Undecided.Places.size()));
+  add("TotalGenus", result.Topology.Genus);
   add("NumberOfNodePoints", result.Graph.Nodes);
   add("NumberOfCellsWithSeveralCycles", result.SharedCells);
   add("NumberOfReconciledVertices", result.Reconciled.Vertices);
@@ -329,20 +360,20 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
 {
   Reconstruction result = std::move(consumed);
   const vtkIdType graphPoints = result.Graph.Count();
-  std::vector<double> shellPoints;
-  for (const ShellPatch& shell : result.Surface.Shells)
+  std::vector<double> meshPoints;
+  for (const PatchMesh& mesh : result.Surface.Meshes)
   {
-    for (std::size_t i = 1; i < shell.Points.size(); ++i)
+    for (std::size_t i = mesh.Cycles.size(); i < mesh.Points.size(); ++i)
     {
-      shellPoints.insert(shellPoints.end(), shell.Points[i].begin(), shell.Points[i].end());
+      meshPoints.insert(meshPoints.end(), mesh.Points[i].begin(), mesh.Points[i].end());
     }
   }
   const vtkIdType allCenters = graphPoints + result.Polygons.Count();
   auto points =
-    NewPoints(doublePrecision, allCenters + static_cast<vtkIdType>(shellPoints.size() / 3));
+    NewPoints(doublePrecision, allCenters + static_cast<vtkIdType>(meshPoints.size() / 3));
   CopyPoints(result.Graph.Points, 0, points);
   CopyPoints(result.Surface.CentralPoints, graphPoints, points);
-  CopyPoints(shellPoints, allCenters, points);
+  CopyPoints(meshPoints, allCenters, points);
   result.Graph.Points = {};
   result.Surface.CentralPoints = {};
   surface->SetPoints(points);

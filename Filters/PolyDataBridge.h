@@ -41,6 +41,9 @@ void WriteContourTable(const Reconstruction& result, vtkTable* table);
 
 /// Port 4: agreement of every slice with the orthogonal families, and its shift.
 void WriteSliceTable(const Reconstruction& result, vtkTable* table);
+
+/// Port 5: the undecided places, and where to slice next.
+void WriteUndecidedTable(const Reconstruction& result, vtkTable* table);
 }
 
 #endif

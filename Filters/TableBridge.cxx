@@ -14,7 +14,7 @@ namespace orthoslices
 {
 void WriteHistogram(const Reconstruction& result, vtkTable* table)
 {
-  const std::vector<Index> histogram = CountPolygonSizes(result.Polygons);
+  const std::vector<Index> histogram = CountPolygonSizes(result.Polygons, result.Graph);
   vtkNew<vtkIdTypeArray> size;
   vtkNew<vtkIdTypeArray> count;
   size->SetName("PolygonSize");
@@ -118,6 +118,35 @@ void WriteSliceTable(const Reconstruction& result, vtkTable* table)
       const vtkIdType row = result.Grid.SliceNumber(repair.Axis, repair.Plane);
       column->SetValue(row, column->GetValue(row) + (column == snipped ? 2 : 1));
     }
+  }
+}
+
+void WriteUndecidedTable(const Reconstruction& result, vtkTable* table)
+{
+  vtkDoubleArray* where[3] = { AddColumn<vtkDoubleArray>(table, "X"),
+    AddColumn<vtkDoubleArray>(table, "Y"), AddColumn<vtkDoubleArray>(table, "Z") };
+  auto* kind = AddColumn<vtkIntArray>(table, "Kind");
+  auto* choice = AddColumn<vtkIntArray>(table, "Choice");
+  auto* evidence = AddColumn<vtkDoubleArray>(table, "Evidence");
+  auto* rank = AddColumn<vtkIntArray>(table, "PlaneRank");
+  auto* axis = AddColumn<vtkIntArray>(table, "PlaneAxis");
+  auto* coordinate = AddColumn<vtkDoubleArray>(table, "PlaneCoordinate");
+  auto* settles = AddColumn<vtkIdTypeArray>(table, "PlaneSettles");
+  for (const UndecidedPlace& place : result.Undecided.Places)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      where[i]->InsertNextValue(place.Where[i]);
+    }
+    kind->InsertNextValue(static_cast<int>(place.Kind));
+    choice->InsertNextValue(static_cast<int>(place.Choice));
+    evidence->InsertNextValue(place.Evidence);
+    const ProposedPlane plane =
+      place.PlaneRank < 0 ? ProposedPlane{ -1, 0.0, 0 } : result.Undecided.Planes[place.PlaneRank];
+    rank->InsertNextValue(place.PlaneRank);
+    axis->InsertNextValue(plane.Axis);
+    coordinate->InsertNextValue(plane.Coordinate);
+    settles->InsertNextValue(plane.Settles);
   }
 }
 }

@@ -123,6 +123,41 @@ std::string DescribeOverruledSlice(const orthoslices::Reconstruction& result)
   return text.str();
 }
 
+/// What the slices leave open, and where to slice next.
+std::string DescribeUndecided(const orthoslices::Reconstruction& result)
+{
+  std::ostringstream text;
+  const orthoslices::UndecidedPlaces& undecided = result.Undecided;
+  if (!undecided.Planes.empty())
+  {
+    const orthoslices::ProposedPlane& plane = undecided.Planes.front();
+    text
+      << "\nThe slices leave open at " << undecided.Places.size()
+      << " places which contours belong together (see the table of undecided places). A slice at "
+      << AxisNames[plane.Axis] << " = " << plane.Coordinate << " would settle " << plane.Settles
+      << " of them.";
+  }
+  return text.str();
+}
+
+/// Says so if the surface is not as expected; 0 components and genus -1 are unknown.
+std::string DescribeUnexpected(
+  const orthoslices::SurfaceTopology& topology, int components, int genus)
+{
+  std::ostringstream text;
+  if (components > 0 && components != topology.Components)
+  {
+    text << "\nThe surface has " << topology.Components << " components, not " << components
+         << " as expected: the undecided places do not allow it.";
+  }
+  if (genus >= 0 && genus != topology.Genus)
+  {
+    text << "\nThe surface has genus " << topology.Genus << ", not " << genus
+         << " as expected: the undecided places do not allow it.";
+  }
+  return text.str();
+}
+
 /// What the user should know about a result that is closed all the same; empty if nothing.
 std::string ListDoubts(const orthoslices::Reconstruction& result, bool repaired, double tolerance)
 {
@@ -159,14 +194,16 @@ std::string ListDoubts(const orthoslices::Reconstruction& result, bool repaired,
          << " patches between them may touch others. Use points in double precision, or a greater"
             " PlaneTolerance.";
   }
-  if (result.Isolated.Count() > 0)
+  const orthoslices::Index leftOut = orthoslices::CountLeftOut(result.Isolated);
+  if (leftOut > 0)
   {
-    text
-      << "\n"
-      << result.Isolated.Count()
-      << " contours cross no orthogonal slice and take no part in the surface; they are the lines"
-         " with ComponentId -1 of the graph output.";
+    text << "\n"
+         << leftOut
+         << " contours without node points, or parts of contours that were cut off, take no part "
+            "in the"
+            " surface; they are the lines with ComponentId -1 of the graph output.";
   }
+  text << DescribeUndecided(result);
   return text.str();
 }
 }
@@ -174,12 +211,13 @@ std::string ListDoubts(const orthoslices::Reconstruction& result, bool repaired,
 vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(5);
+  this->SetNumberOfOutputPorts(6);
 }
 
 int vtkOrthogonalSliceReconstruction::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
@@ -207,6 +245,11 @@ vtkTable* vtkOrthogonalSliceReconstruction::GetContourTable()
 vtkTable* vtkOrthogonalSliceReconstruction::GetSliceTable()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(4));
+}
+
+vtkTable* vtkOrthogonalSliceReconstruction::GetUndecidedTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(5));
 }
 
 int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
@@ -244,7 +287,9 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   }
   // NaN is neither below nor above the range to which tolerances are clamped.
   for (const auto& tolerance : { std::make_pair("PlaneTolerance", this->PlaneTolerance),
-         std::make_pair("ReportTolerance", this->ReportTolerance) })
+         std::make_pair("ReportTolerance", this->ReportTolerance),
+         std::make_pair("MinimumComponentSize", this->MinimumComponentSize),
+         std::make_pair("MinimumIsolatedContourSize", this->MinimumIsolatedContourSize) })
   {
     if (std::isnan(tolerance.second))
     {
@@ -253,9 +298,18 @@ int vtkOrthogonalSliceReconstruction::RequestData(
     }
   }
   bool doublePrecision = this->OutputPointsPrecision == DOUBLE_PRECISION;
+  if (this->GetTotalNumberOfInputConnections() == 0)
+  {
+    vtkErrorMacro("No input: connect contours to port 0 (x-slices), 1 (y-slices) or 2 (z-slices).");
+    return 0;
+  }
   for (int port = 0; port < 3; ++port)
   {
     vtkPolyData* input = vtkPolyData::GetData(inputs[port]);
+    if (this->GetNumberOfInputConnections(port) == 0)
+    {
+      continue;
+    }
     if (input == nullptr || input->GetNumberOfLines() + input->GetNumberOfPolys() == 0)
     {
       vtkErrorMacro("Port " << port << " (" << AxisNames[port]
@@ -276,8 +330,12 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   std::array<orthoslices::Pieces, 3> pieces;
   for (int port = 0; port < 3; ++port)
   {
-    pieces[port] =
-      orthoslices::ReadPieces(vtkPolyData::GetData(inputs[port]), port, doublePrecision);
+    pieces[port].Axis = port;
+    if (this->GetNumberOfInputConnections(port) > 0)
+    {
+      pieces[port] =
+        orthoslices::ReadPieces(vtkPolyData::GetData(inputs[port]), port, doublePrecision);
+    }
   }
 
   orthoslices::Options options;
@@ -296,6 +354,13 @@ int vtkOrthogonalSliceReconstruction::RequestData(
                                                 : orthoslices::CrossingContours::LeaveOut;
   options.Central = this->CentralPoint == CENTROID ? orthoslices::CentralPointMethod::Centroid
                                                    : orthoslices::CentralPointMethod::LeastSquares;
+  options.Several = this->SeveralCycles == DISCS ? orthoslices::SeveralCycles::Discs
+                                                 : orthoslices::SeveralCycles::ByEvidence;
+  options.Criterion = static_cast<orthoslices::LoopCriterion>(this->Correspondence);
+  options.Known.Components = this->ExpectedComponents;
+  options.Known.Genus = this->ExpectedGenus;
+  options.LeastComponent = this->MinimumComponentSize;
+  options.LeastIsolatedContour = this->MinimumIsolatedContourSize;
   orthoslices::Execution execution;
   execution.For = [](std::size_t count, const orthoslices::Execution::Range& run)
   {
@@ -334,14 +399,19 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   }
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
   orthoslices::RemoveSmallRepairs(reportTolerance, result.Repairs);
-  const std::string doubts =
+  std::string doubts =
     ListDoubts(result, this->CrossingContours == REPAIR_CROSSING, reportTolerance);
+  if (this->SeveralCycles == BY_EVIDENCE)
+  {
+    doubts += DescribeUnexpected(result.Topology, this->ExpectedComponents, this->ExpectedGenus);
+  }
   if (!doubts.empty())
   {
     vtkWarningMacro(<< doubts);
   }
   orthoslices::WriteContourTable(result, vtkTable::GetData(outputs, 3));
   orthoslices::WriteSliceTable(result, vtkTable::GetData(outputs, 4));
+  orthoslices::WriteUndecidedTable(result, vtkTable::GetData(outputs, 5));
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
   orthoslices::WriteGraph(result, doublePrecision, vtkPolyData::GetData(outputs, 1));
   this->UpdateProgress(0.9);
@@ -364,6 +434,15 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
             : this->CrossingContours == REFUSE_CROSSING ? "Refuse"
                                                         : "LeaveOut")
      << "\n";
+  os << indent << "SeveralCycles: " << (this->SeveralCycles == DISCS ? "Discs" : "ByEvidence")
+     << "\n";
+  const char* correspondences[] = { "ByEvidence", "Overlap", "EllipticalCylinders", "SpanningTree",
+    "ReebGraph" };
+  os << indent << "Correspondence: " << correspondences[this->Correspondence] << "\n";
+  os << indent << "ExpectedComponents: " << this->ExpectedComponents << "\n";
+  os << indent << "ExpectedGenus: " << this->ExpectedGenus << "\n";
+  os << indent << "MinimumComponentSize: " << this->MinimumComponentSize << "\n";
+  os << indent << "MinimumIsolatedContourSize: " << this->MinimumIsolatedContourSize << "\n";
   os << indent << "CentralPoint: " << (this->CentralPoint == CENTROID ? "Centroid" : "LeastSquares")
      << "\n";
   os << indent << "AxisWeights: " << this->AxisWeights[0] << " " << this->AxisWeights[1] << " "

@@ -12,10 +12,18 @@
  * points* and the contour parts (*arcs*) between them form a graph G on the edges and faces of the
  * spatial grid M that the planes span. In each cell of M, G leaves closed *cycles*, the spatial
  * polygons, and each of them is filled with a patch around a central point. No correspondence
- * between slices is ever guessed.
+ * between slices is guessed where orthogonal slices meet.
+ *
+ * Whatever passes from one cell to the next leaves a contour on the slice between them. All that
+ * the slices leave open is therefore inside cells with several cycles: which of them are ends of
+ * one tube, and which are ends of their own. There SeveralCycles decides, by the directions of the
+ * surface at the node points and the positions of the cycles, or as ExpectedComponents and
+ * ExpectedGenus require. Contours without node points (*isolated*: tips and thin parts between the
+ * other planes) are joined to what they continue, and end in domes.
  *
  * @section Inputs Inputs
- * Ports 0, 1 and 2 (vtkPolyData, all three required): contours on planes of constant x, y and z.
+ * Ports 0, 1 and 2 (vtkPolyData; at least one must be connected): contours on planes of constant
+ * x, y and z. With one family all contours are isolated, and the filter joins parallel slices.
  * The planes may come in any order and spacing, with different numbers on each axis. Contours are
  * accepted as lines and polygons: closed polylines (first point repeated or not), polygons, open
  * pieces and loose two-point segments in any order and direction, and any mixture; vertices and
@@ -31,16 +39,18 @@
  * @section Outputs Outputs
  * Port 0, the surface (vtkPolyData): triangles, oriented outwards. Where the slices agree, every
  * vertex of every contour that meets another family is a vertex of the surface. Points: first the
- * node points, then the vertices of the arcs, then the central points, last the other points of
- * patches that had to be separated.
+ * node points, then the vertices of the arcs and of the isolated contours, then the central
+ * points, last the other points of patches that are joined or had to be separated.
  *  - point data "Normals" (float, 3 components; active normals), if ComputeNormals is on;
  *  - cell data "ComponentId" (int): connected component, numbered from 0;
  *  - cell data "GridCell" (unsigned short, 3 components): the cell of M along x, y, z, where cell
  *    i lies below plane i and above plane i - 1;
  *  - cell data "PolygonSize" (unsigned short): number of node points of the spatial polygon (65535
- *    stands for more);
+ *    stands for more), of all polygons together where a patch joins several; 0 for isolated contours;
  *  - field data "NumberOfComponents", "NumberOfContours", "NumberOfIsolatedContours",
- *    "NumberOfCellsWithSeveralCycles", "NumberOfNodePoints", "NumberOfReconciledEdges",
+ *    "NumberOfContoursLeftOut" (isolated ones that take no part in the surface),
+ *    "NumberOfComponentsLeftOut" (see MinimumComponentSize), "NumberOfUndecidedPlaces",
+ *    "TotalGenus" (of all components together), "NumberOfCellsWithSeveralCycles", "NumberOfNodePoints", "NumberOfReconciledEdges",
  *    "NumberOfReconciledVertices", "NumberOfRepairs" (vtkIdType, one value each);
  *  - point data "Disagreement" (float): at a node point, the distance of the two contours along
  *    the grid edge in world units; 0 at other points;
@@ -50,7 +60,7 @@
  *
  * Port 1, the graph G and the repairs (vtkPolyData): one vertex cell for each node point, one for
  * each repair, then one polyline for each arc, then one closed polyline for each isolated contour
- * (a contour without node points, which takes no part in the surface). Cell data:
+ * (a contour without node points). Cell data:
  *  - "Kind" (unsigned char): 0 node point, 1 arc, 2 isolated contour; repairs: 3 a slice was
  *    overruled on whether a vertex of M is inside, 4 two crossings that the other slice does not
  *    have were taken out, 8 arcs that crossed on a face of M were taken apart (they pass their
@@ -61,7 +71,9 @@
  *  - "SliceAxis" (int): 0, 1, 2 for arcs and repairs on x-, y-, z-slices, else -1;
  *  - "SlicePlane" (int): index of the plane on that axis in ascending order, else -1;
  *  - "Length" (double): length of the arc or isolated contour in world units, else 0;
- *  - "ComponentId" (int): as on port 0; -1 for repairs and isolated contours;
+ *  - "ComponentId" (int): as on port 0; -1 for repairs, and for isolated contours that take no
+ *    part in the surface: they touch others, are too small, or are parts of contours that the
+ *    other slices contradict;
  *  - "RepairSize" (float): in world units, how far the slice's nearest crossing was from the
  *    vertex (kind 3), distance of the crossings (4), length of the new arcs (5, 6), of the border
  *    of the patch (7), by how much the arcs became shorter (8).
@@ -80,6 +92,14 @@
  * "ShiftX", "ShiftY", "ShiftZ" (double): the translation within its plane that would bring the
  * slice closest to the others. A slice that was moved as a whole shows here.
  *
+ * Port 5, the undecided places (vtkTable), one row each: "X", "Y", "Z" (double): where; "Kind" (int):
+ * 0 two cycles that are the ends of a tube or ends of their own, 1 an isolated contour and the patch
+ * that it may continue, 2 two isolated contours; "Choice" (int): 0 separate, 1 joined, 2 separate
+ * because no joined patch without crossings was found; "Evidence" (double): for joining them, 0 is
+ * undecided; and where to slice next: "PlaneAxis" (int), "PlaneCoordinate" (double), the slice that
+ * would settle the place, "PlaneSettles" (vtkIdType), how many places it would settle, and
+ * "PlaneRank" (int), 0 for the slice that settles most. The rows ascend by that rank.
+ *
  * In a parallel run the first process reconstructs the whole surface from the whole input; the
  * outputs of the others are empty.
  *
@@ -89,7 +109,7 @@
  * that cross.
  *
  * @section Errors Errors
- * A port without contours, an open contour, a contour that leaves its plane by more than the
+ * A connected port without contours, no connected port, an open contour, a contour that leaves its plane by more than the
  * tolerance, and coordinates that are not finite are reported with port, cell and coordinate: as
  * errors with empty outputs (InvalidContours = REFUSE), or in one warning (LEAVE_OUT). So are
  * contours that cross themselves or each other within one slice (CrossingContours), which by
@@ -132,6 +152,21 @@ public:
     REPAIR_CROSSING = 0,
     REFUSE_CROSSING = 1,
     LEAVE_OUT_CROSSING = 2
+  };
+
+  enum SeveralCyclesMode
+  {
+    BY_EVIDENCE = 0,
+    DISCS = 1
+  };
+
+  enum CorrespondenceMode
+  {
+    CORRESPOND_BY_EVIDENCE = 0,
+    CORRESPOND_BY_OVERLAP = 1,
+    CORRESPOND_BY_ELLIPTICAL_CYLINDERS = 2,
+    CORRESPOND_BY_SPANNING_TREE = 3,
+    CORRESPOND_BY_REEB_GRAPH = 4
   };
 
   enum CentralPointMode
@@ -188,6 +223,63 @@ public:
 
   ///@{
   /**
+   * How cells with several cycles are filled: by discs, tubes and branchings, as the evidence says
+   * (default), or by a disc for every cycle, as in the paper. Patches do not cross in either case.
+   */
+  vtkSetClampMacro(SeveralCycles, int, BY_EVIDENCE, DISCS);
+  vtkGetMacro(SeveralCycles, int);
+  void SetSeveralCyclesToByEvidence() { this->SetSeveralCycles(BY_EVIDENCE); }
+  void SetSeveralCyclesToDiscs() { this->SetSeveralCycles(DISCS); }
+  ///@}
+
+  ///@{
+  /**
+   * Which isolated contours of neighbouring slices belong together; with one family of slices these
+   * are all contours. By evidence (default): those that overlap, and others whose positions speak
+   * for it. Or by one of the criteria that the paper compares with (Core/Correspondence.h): overlap;
+   * generalized elliptical cylinders (Soroka 1981; Bresler, Fessler and Macovski 1989); minimum
+   * spanning tree (Skinner); Reeb graph (Shinagawa and Kunii 1991), which uses ExpectedComponents
+   * and ExpectedGenus. Has no effect with DISCS.
+   */
+  vtkSetClampMacro(Correspondence, int, CORRESPOND_BY_EVIDENCE, CORRESPOND_BY_REEB_GRAPH);
+  vtkGetMacro(Correspondence, int);
+  void SetCorrespondenceToEvidence() { this->SetCorrespondence(CORRESPOND_BY_EVIDENCE); }
+  void SetCorrespondenceToOverlap() { this->SetCorrespondence(CORRESPOND_BY_OVERLAP); }
+  void SetCorrespondenceToEllipticalCylinders()
+  {
+    this->SetCorrespondence(CORRESPOND_BY_ELLIPTICAL_CYLINDERS);
+  }
+  void SetCorrespondenceToSpanningTree() { this->SetCorrespondence(CORRESPOND_BY_SPANNING_TREE); }
+  void SetCorrespondenceToReebGraph() { this->SetCorrespondence(CORRESPOND_BY_REEB_GRAPH); }
+  ///@}
+
+  ///@{
+  /**
+   * What is known of the surface: its number of components (default 0: unknown) and the genus of
+   * all components together (default -1: unknown). Of the undecided places as many are joined, in
+   * the order of their evidence, as meet these numbers; a warning says so if there are not enough.
+   * Has no effect with DISCS.
+   */
+  vtkSetClampMacro(ExpectedComponents, int, 0, VTK_INT_MAX);
+  vtkGetMacro(ExpectedComponents, int);
+  vtkSetClampMacro(ExpectedGenus, int, -1, VTK_INT_MAX);
+  vtkGetMacro(ExpectedGenus, int);
+  ///@}
+
+  ///@{
+  /**
+   * Components of the surface, and isolated contours, whose bounding box has a smaller diagonal are
+   * left out; as a fraction of the diagonal of the bounding box of all inputs. Default 0 (nothing
+   * is left out), range 0 to 1.
+   */
+  vtkSetClampMacro(MinimumComponentSize, double, 0.0, 1.0);
+  vtkGetMacro(MinimumComponentSize, double);
+  vtkSetClampMacro(MinimumIsolatedContourSize, double, 0.0, 1.0);
+  vtkGetMacro(MinimumIsolatedContourSize, double);
+  ///@}
+
+  ///@{
+  /**
    * Central point of a spatial polygon: from a least-squares quadratic through the arcs and the
    * surface normals at the node points (default), or the centroid of the arcs.
    */
@@ -240,12 +332,13 @@ public:
   ///@{
   /**
    * The graph G (port 1), the histogram of polygon sizes (port 2), and the tables of contours
-   * (port 3) and slices (port 4).
+   * (port 3), slices (port 4) and undecided places (port 5).
    */
   vtkPolyData* GetGraphOutput();
   vtkTable* GetHistogramOutput();
   vtkTable* GetContourTable();
   vtkTable* GetSliceTable();
+  vtkTable* GetUndecidedTable();
   ///@}
 
 protected:
@@ -265,6 +358,12 @@ private:
   int Orientation = ORIENT_BY_NESTING;
   int InvalidContours = REFUSE;
   int CrossingContours = REPAIR_CROSSING;
+  int SeveralCycles = BY_EVIDENCE;
+  int Correspondence = CORRESPOND_BY_EVIDENCE;
+  int ExpectedComponents = 0;
+  int ExpectedGenus = -1;
+  double MinimumComponentSize = 0.0;
+  double MinimumIsolatedContourSize = 0.0;
   int CentralPoint = LEAST_SQUARES;
   double AxisWeights[3] = { 1.0, 1.0, 1.0 };
   double ReportTolerance = 1e-3;
