@@ -22,8 +22,8 @@ std::vector<double> NormalsOf(const Stages& stages)
 
 std::vector<Point3> CentersOf(const Stages& stages, CentralPointMethod method)
 {
-  const std::vector<double> xyz = LocateCentralPoints(method, stages.Grid, stages.Graph,
-    stages.Lattice, stages.Nodes, NormalsOf(stages), stages.Polygons, Execution());
+  const std::vector<double> xyz =
+    LocateCentralPoints(method, stages.Geometry(), NormalsOf(stages), Execution());
   std::vector<Point3> centers;
   for (std::size_t i = 0; i < xyz.size(); i += 3)
   {

@@ -133,7 +133,8 @@ TEST(TraceCycles, CubeHasOneInEveryCellButTheMiddle)
 {
   const Stages stages{ Cube() };
   ASSERT_EQ(stages.Polygons.Count(), 26);
-  EXPECT_EQ(CountPolygonSizes(stages.Polygons), (std::vector<Index>{ 0, 0, 0, 8, 18 }));
+  EXPECT_EQ(
+    CountPolygonSizes(stages.Polygons, stages.Graph), (std::vector<Index>{ 0, 0, 0, 8, 18 }));
   EXPECT_EQ(GroupByCell(stages.Grid, stages.Polygons, Execution()).Several.size(), 0u);
   for (Index i = 0; i < 26; ++i)
   {
@@ -232,7 +233,7 @@ TEST(TraceCycles, SeveralCyclesAndSizesAreCountedAsByHand)
   cycles.Offsets = { 0, 3, 7, 10, 15, 17, 21 };
   cycles.Arcs.resize(21);
   EXPECT_EQ(GroupByCell(grid, cycles, Execution()).Several.size(), 2u);
-  EXPECT_EQ(CountPolygonSizes(cycles), (std::vector<Index>{ 0, 0, 1, 2, 2, 1 }));
+  EXPECT_EQ(CountPolygonSizes(cycles, NodeGraph()), (std::vector<Index>{ 0, 0, 1, 2, 2, 1 }));
 }
 
 //----------------------------------------------------------------------------

@@ -27,8 +27,7 @@ template <typename Id>
 std::vector<Id> Write(const Stages& stages, const Patches& patches, Index slack = 0)
 {
   std::vector<Id> ids(3 * patches.TriangleCount() + slack, -7);
-  WriteTriangles(
-    patches, stages.Graph, stages.Lattice, stages.Nodes, stages.Polygons, Execution(), ids.data());
+  WriteTriangles(patches, stages.Geometry(), Execution(), ids.data());
   return ids;
 }
 }

@@ -3,8 +3,8 @@
 /**
  * RandomSolids COUNT [FIRST [SECONDS]]
  *
- * Reconstructs unions of random balls, capsules and tori, from contours that agree and from contours
- * made contradictory, in both precisions, and checks every surface exactly: closed, 2-manifold,
+ * Reconstructs unions of random balls, capsules and tori, from contours that agree, from contours
+ * made contradictory and from contours on few planes of one, two or three axes, in both precisions, and checks every surface exactly: closed, 2-manifold,
  * oriented, embedded. Input number n is the same in every run. Stops after SECONDS if they are given.
  * A failure is reduced and printed as text; the exit code is 1 then.
  */
@@ -26,8 +26,10 @@ namespace
 {
 Input MakeInput(std::uint64_t number)
 {
-  // Every fourth one agrees.
-  Input input = number % 4 == 0 ? RandomConsistentInput(number) : RandomContradictoryInput(number);
+  // Every fourth one agrees, and every fourth one has slices on few planes or axes.
+  Input input = number % 4 == 0 ? RandomConsistentInput(number)
+    : number % 4 == 2           ? RandomSparseInput(number)
+                                : RandomContradictoryInput(number);
   if (number / 4 % 2 == 1)
   {
     RoundToFloat(input.Sets);

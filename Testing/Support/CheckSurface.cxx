@@ -418,17 +418,17 @@ TriangleMesh MeshOf(const Reconstruction& result)
       mesh.Points.push_back({ (*xyz)[i], (*xyz)[i + 1], (*xyz)[i + 2] });
     }
   }
-  for (const ShellPatch& shell : result.Surface.Shells)
+  for (const PatchMesh& patch : result.Surface.Meshes)
   {
-    mesh.Points.insert(mesh.Points.end(), shell.Points.begin() + 1, shell.Points.end());
+    const auto others = static_cast<std::ptrdiff_t>(patch.Cycles.size());
+    mesh.Points.insert(mesh.Points.end(), patch.Points.begin() + others, patch.Points.end());
   }
   if (result.Polygons.Count() == 0)
   {
     return mesh;
   }
   std::vector<std::int32_t> ids(3 * static_cast<std::size_t>(result.Surface.TriangleCount()), -1);
-  WriteTriangles(result.Surface, result.Graph, result.Lattice, result.Nodes, result.Polygons,
-    Execution(), ids.data());
+  WriteTriangles(result.Surface, GeometryOf(result), Execution(), ids.data());
   for (std::size_t i = 0; i < ids.size(); i += 3)
   {
     mesh.Triangles.push_back({ ids[i], ids[i + 1], ids[i + 2] });

@@ -55,7 +55,7 @@ std::vector<DataSet> AllDataSets()
 {
   return { { "aorta", 1, 0, true }, { "boot", 1, 12, true }, { "heart", 1, 1, true },
     { "knot", 1, 1, true }, { "lbl_lumbar3", 1, 1, false }, { "lbl_stomach", 1, 0, false },
-    { "pelvis", 2, 0, true }, { "skull", 1, 2, true } };
+    { "neuron", 1, 12, true }, { "pelvis", 2, 0, true }, { "skull", 1, 2, true } };
 }
 
 vtkSmartPointer<vtkPolyData> ReadContours(const DataSet& data, int count, int axis)

@@ -127,6 +127,82 @@ Input RandomContradictoryInput(std::uint64_t seed)
   return input;
 }
 
+namespace
+{
+/// Tubes, rings, curves and balls with radii of about a quarter to one spacing.
+Solid RandomThinSolid(std::uint64_t seed, double spacing)
+{
+  Random random(seed);
+  const auto place = [&]() -> Point3 {
+    return { random.Uniform(-0.9, 0.9), random.Uniform(-0.9, 0.9), random.Uniform(-0.9, 0.9) };
+  };
+  Solid solid;
+  solid.Name = "RandomThinSolid" + std::to_string(seed);
+  solid.Low = { -1.411, -1.423, -1.437 };
+  solid.High = { 1.417, 1.413, 1.429 };
+  const std::size_t count = 1 + random.Below(4);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double radius = std::min(random.Uniform(0.2, 1.0) * spacing, 0.45);
+    switch (random.Below(4))
+    {
+      case 0:
+        solid.Tubes.push_back(Ball(place(), radius));
+        break;
+      case 1:
+        solid.Tubes.push_back(Capsule(place(), place(), radius));
+        break;
+      case 2:
+        solid.Tubes.push_back(CurveTube({ place(), place(), place(), place() }, false, radius));
+        break;
+      default:
+        solid.Tubes.push_back(Torus({ 0.3 * random.Uniform(-1.0, 1.0), 0.1, -0.1 }, place(),
+          random.Uniform(0.4, 0.7), std::min(radius, 0.3)));
+    }
+  }
+  return solid;
+}
+}
+
+Input RandomSparseInput(std::uint64_t seed)
+{
+  Random random(seed);
+  Input input;
+  input.Name = "RandomSparseInput(" + std::to_string(seed) + ")";
+  const int families = 1 + static_cast<int>(seed % 3);
+  const int firstAxis = static_cast<int>(random.Below(3));
+  std::array<int, 3> count{ 0, 0, 0 };
+  double spacing = 0.0;
+  for (int i = 0; i < families; ++i)
+  {
+    const int axis = (firstAxis + i) % 3;
+    count[axis] = 3 + static_cast<int>(random.Below(9));
+    spacing = std::max(spacing, 2.8 / count[axis]);
+  }
+  const InPlaneGrid grid = random.Chance(0.3) ? InPlaneGrid::Aligned : InPlaneGrid::Free;
+  const bool equal = random.Chance(0.5);
+  std::uint64_t trial = 0;
+  do
+  {
+    const Solid solid = RandomThinSolid(seed + (trial << 32), spacing);
+    const PlaneSets planes =
+      equal ? EqualPlanes(solid, count) : RandomPlanes(solid, count, seed + trial);
+    input.Sets = SliceSolid(solid, planes, 3, grid);
+    ++trial;
+  } while (input.Sets[0].Count() + input.Sets[1].Count() + input.Sets[2].Count() == 0);
+  input.Settings.RefuseInvalid = false;
+  input.Settings.Known.Components = random.Chance(0.5) ? static_cast<Index>(random.Below(4)) : 0;
+  input.Settings.Known.Genus = random.Chance(0.5) ? static_cast<Index>(random.Below(4)) : -1;
+  input.Settings.LeastComponent = random.Chance(0.1) ? random.Uniform(0.0, 0.3) : 0.0;
+  input.Settings.LeastIsolatedContour = random.Chance(0.1) ? random.Uniform(0.0, 0.1) : 0.0;
+  if (random.Chance(0.2))
+  {
+    MoveSlices(input.Sets, random.Uniform(0.0, 0.3) * spacing, random.Bits());
+    input.Name += ", slices moved";
+  }
+  return input;
+}
+
 std::uint64_t RandomRuns(std::uint64_t usual)
 {
   return FromEnvironment("ORTHOGONAL_SLICES_RUNS", usual);

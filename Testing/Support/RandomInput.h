@@ -34,6 +34,13 @@ Input RandomConsistentInput(std::uint64_t seed);
  */
 Input RandomContradictoryInput(std::uint64_t seed);
 
+/**
+ * Slices of random thin tubes and balls, about as thick as the planes are apart, on one, two or
+ * three axes (the other sets are empty); the numbers of components and handles that one may expect
+ * are random, too. Sets are empty or not, but never all of them.
+ */
+Input RandomSparseInput(std::uint64_t seed);
+
 /// The environment's ORTHOGONAL_SLICES_RUNS, or the default, and the first seed of these runs.
 std::uint64_t RandomRuns(std::uint64_t usual);
 std::uint64_t FirstSeed();

@@ -42,6 +42,11 @@ struct Stages
     return GridEdgeCode(this->Grid).Decode(this->Lattice.Edge[crossing]);
   }
 
+  CycleGeometry Geometry() const
+  {
+    return { this->Grid, this->Graph, this->Lattice, this->Nodes, this->Polygons };
+  }
+
   static constexpr double Tolerance = 1e-9;
 
   Contours Set;
@@ -74,8 +79,9 @@ private:
     }
     this->Redrawn =
       EmbedArcs(this->Grid, this->Nodes, execution, this->Lattice, this->Graph, forced);
-    FindComponents(this->Lattice, this->Nodes, this->Graph);
-    this->Polygons = TraceCycles(this->Grid, this->Lattice, this->Nodes);
+    DisjointSets parts = ConnectArcs(this->Lattice, this->Nodes, this->Graph);
+    FindComponents(parts, this->Graph);
+    this->Polygons = TraceCycles(this->Grid, this->Lattice, this->Nodes, this->Graph);
   }
 };
 

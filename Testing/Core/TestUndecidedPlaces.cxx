@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/UndecidedPlaces.h"
+
+#include "Core/Reconstruct.h"
+#include "Support/Random.h"
+#include "Support/RandomInput.h"
+#include "Support/SliceSolid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+struct Interval
+{
+  int Axis;
+  double Low, High;
+
+  bool Has(int axis, double coordinate) const
+  {
+    return axis == this->Axis && this->Low <= coordinate && coordinate <= this->High;
+  }
+};
+
+/// A place of which it is known which planes settle it.
+struct OpenPlace
+{
+  double Evidence;
+  Point3 Where;
+  std::vector<Interval> Settled;
+
+  bool IsSettled(const ProposedPlane& plane) const
+  {
+    return std::any_of(this->Settled.begin(), this->Settled.end(),
+      [&](const Interval& i) { return i.Has(plane.Axis, plane.Coordinate); });
+  }
+};
+
+void FindBox(const CycleGeometry& geometry, Index cycle, Point3& low, Point3& high)
+{
+  low.fill(HUGE_VAL);
+  high.fill(-HUGE_VAL);
+  for (const Index point : geometry.GetBorders({ cycle }))
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = std::min(low[axis], geometry.Graph.PointAt(point)[axis]);
+      high[axis] = std::max(high[axis], geometry.Graph.PointAt(point)[axis]);
+    }
+  }
+}
+
+/// The middle half of the gap between two cycles, or of the extent of an isolated contour.
+OpenPlace Describe(const CycleGeometry& geometry, const CycleJoin& join)
+{
+  OpenPlace place;
+  place.Evidence = join.Evidence;
+  Point3 low[2], high[2];
+  const Index cycles[2] = { join.First, join.Second };
+  bool loop = false;
+  for (int i = 0; i < 2; ++i)
+  {
+    FindBox(geometry, cycles[i], low[i], high[i]);
+    if (geometry.IsLoop(cycles[i]))
+    {
+      loop = true;
+      const int normal = geometry.Graph.Loops[geometry.LoopOf(cycles[i])].Axis;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        if (axis != normal)
+        {
+          const double quarter = 0.25 * (high[i][axis] - low[i][axis]);
+          place.Settled.push_back({ axis, low[i][axis] + quarter, high[i][axis] - quarter });
+        }
+      }
+    }
+  }
+  int farthest = 0;
+  Point3 distance{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    place.Where[axis] = 0.25 * (low[0][axis] + high[0][axis] + low[1][axis] + high[1][axis]);
+    distance[axis] = std::abs(low[0][axis] + high[0][axis] - low[1][axis] - high[1][axis]);
+    farthest = distance[axis] > distance[farthest] ? axis : farthest;
+    const double from = std::min(high[0][axis], high[1][axis]);
+    const double to = std::max(low[0][axis], low[1][axis]);
+    if (!loop && from < to)
+    {
+      const double quarter = 0.25 * (to - from);
+      place.Settled.push_back({ axis, from + quarter, to - quarter });
+    }
+  }
+  if (place.Settled.empty())
+  {
+    place.Settled.push_back({ farthest, place.Where[farthest], place.Where[farthest] });
+  }
+  return place;
+}
+
+/// The most places that one plane settles: one of the planes at the ends of all intervals does.
+Index MostSettled(const std::vector<OpenPlace>& places)
+{
+  Index most = 0;
+  for (const OpenPlace& place : places)
+  {
+    for (const Interval& interval : place.Settled)
+    {
+      for (const double coordinate : { interval.Low, interval.High })
+      {
+        const ProposedPlane plane{ interval.Axis, coordinate, 0 };
+        most = std::max(most,
+          static_cast<Index>(std::count_if(
+            places.begin(), places.end(), [&](const OpenPlace& p) { return p.IsSettled(plane); })));
+      }
+    }
+  }
+  return most;
+}
+
+/// Compares the result with greedy stabbing by brute force. An end that is rounded in another
+/// way may move a place from one plane to another, so that the counts are compared within those.
+void ExpectGreedy(const CycleGeometry& geometry, const std::vector<CycleJoin>& joins)
+{
+  std::vector<OpenPlace> open;
+  for (const CycleJoin& join : joins)
+  {
+    if (join.Impossible || std::abs(join.Evidence) < 1.5)
+    {
+      open.push_back(Describe(geometry, join));
+    }
+  }
+  const UndecidedPlaces found = FindUndecidedPlaces(geometry, joins);
+  ASSERT_EQ(found.Places.size(), open.size());
+  // Planes are settled in the order of their rank, each place by the best plane that settles it.
+  std::vector<Index> settled(found.Planes.size(), 0);
+  for (std::size_t i = 0; i < found.Places.size(); ++i)
+  {
+    const UndecidedPlace& place = found.Places[i];
+    ASSERT_GE(place.PlaneRank, 0);
+    ASSERT_LT(place.PlaneRank, static_cast<int>(found.Planes.size()));
+    ++settled[place.PlaneRank];
+    if (i > 0)
+    {
+      const UndecidedPlace& before = found.Places[i - 1];
+      EXPECT_TRUE(before.PlaneRank < place.PlaneRank ||
+        (before.PlaneRank == place.PlaneRank && before.Evidence >= place.Evidence));
+    }
+  }
+  for (std::size_t rank = 0; rank < found.Planes.size(); ++rank)
+  {
+    const ProposedPlane& plane = found.Planes[rank];
+    EXPECT_EQ(plane.Settles, settled[rank]);
+    EXPECT_EQ(plane.Settles, MostSettled(open));
+    const auto rest = std::remove_if(
+      open.begin(), open.end(), [&](const OpenPlace& p) { return p.IsSettled(plane); });
+    EXPECT_EQ(plane.Settles, open.end() - rest);
+    open.erase(rest, open.end());
+    EXPECT_TRUE(rank == 0 || plane.Settles <= found.Planes[rank - 1].Settles);
+  }
+  EXPECT_TRUE(open.empty());
+}
+}
+
+//----------------------------------------------------------------------------
+TEST(UndecidedPlaces, GreedyStabbingAsBruteForceHasIt)
+{
+  Random random(11);
+  std::size_t places = 0;
+  for (std::uint64_t seed = FirstSeed(); seed < FirstSeed() + RandomRuns(60); ++seed)
+  {
+    Input input = seed % 3 == 0 ? RandomConsistentInput(seed) : RandomSparseInput(seed);
+    SCOPED_TRACE(input.Name);
+    const Reconstruction result = Reconstruct(PieceSets(input.Sets), input.Settings, Execution());
+    ExpectGreedy(GeometryOf(result), result.Joins);
+    // The same cycles with evidence at random: many more places are undecided.
+    std::vector<CycleJoin> joins = result.Joins;
+    joins.resize(std::min<std::size_t>(joins.size(), 60));
+    for (CycleJoin& join : joins)
+    {
+      join.Evidence = random.Uniform(-2.0, 2.0);
+      join.Impossible = random.Chance(0.1);
+    }
+    ExpectGreedy(GeometryOf(result), joins);
+    places += joins.size();
+  }
+  EXPECT_GT(places, 300u);
+}
+
+//----------------------------------------------------------------------------
+TEST(UndecidedPlaces, WhatEveryRowSays)
+{
+  int kinds[3] = { 0, 0, 0 }, choices[3] = { 0, 0, 0 };
+  for (std::uint64_t seed = 0; seed < 60; ++seed)
+  {
+    const Input input = RandomSparseInput(seed);
+    SCOPED_TRACE(input.Name);
+    const Reconstruction result = Reconstruct(PieceSets(input.Sets), input.Settings, Execution());
+    const CycleGeometry geometry = GeometryOf(result);
+    for (const UndecidedPlace& place : result.Undecided.Places)
+    {
+      ++kinds[static_cast<int>(place.Kind)];
+      ++choices[static_cast<int>(place.Choice)];
+      // There is a join like that.
+      const auto join = std::find_if(result.Joins.begin(), result.Joins.end(),
+        [&](const CycleJoin& j)
+        {
+          const int loops =
+            (geometry.IsLoop(j.First) ? 1 : 0) + (geometry.IsLoop(j.Second) ? 1 : 0);
+          const OpenPlace open = Describe(geometry, j);
+          return j.Evidence == place.Evidence && static_cast<int>(place.Kind) == loops &&
+            std::abs(open.Where[0] - place.Where[0]) + std::abs(open.Where[1] - place.Where[1]) +
+              std::abs(open.Where[2] - place.Where[2]) <
+            1e-9;
+        });
+      ASSERT_NE(join, result.Joins.end());
+      EXPECT_EQ(place.Choice,
+        join->Impossible ? UndecidedChoice::Impossible
+          : join->Chosen ? UndecidedChoice::Joined
+                         : UndecidedChoice::Separate);
+    }
+  }
+  EXPECT_GT(kinds[0], 0);
+  EXPECT_GT(kinds[1], 0);
+  EXPECT_GT(kinds[2], 0);
+  EXPECT_GT(choices[0], 0);
+  EXPECT_GT(choices[1], 0);
+}
+
+//----------------------------------------------------------------------------
+TEST(UndecidedPlaces, PlacesBeyondTheLastPlaneHaveNone)
+{
+  const Input input = RandomConsistentInput(5);
+  const Reconstruction result = Reconstruct(PieceSets(input.Sets), input.Settings, Execution());
+  std::vector<CycleJoin> joins = result.Joins;
+  for (CycleJoin& join : joins)
+  {
+    join.Evidence = 0.0;
+  }
+  const CycleGeometry geometry = GeometryOf(result);
+  const UndecidedPlaces all = FindUndecidedPlaces(geometry, joins);
+  ASSERT_GT(all.Planes.size(), 2u);
+  for (const Index most : { 0, 1, 2 })
+  {
+    const UndecidedPlaces some = FindUndecidedPlaces(geometry, joins, most);
+    EXPECT_EQ(some.Planes.size(), static_cast<std::size_t>(most));
+    EXPECT_EQ(some.Places.size(), all.Places.size());
+    Index settled = 0;
+    for (const ProposedPlane& plane : some.Planes)
+    {
+      settled += plane.Settles;
+    }
+    for (std::size_t i = 0; i < some.Places.size(); ++i)
+    {
+      const bool has = i < static_cast<std::size_t>(settled);
+      EXPECT_EQ(some.Places[i].PlaneRank >= 0, has);
+      EXPECT_LT(some.Places[i].PlaneRank, static_cast<int>(most));
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(UndecidedPlaces, NoneWithoutJoins)
+{
+  const Input input = RandomConsistentInput(5);
+  const Reconstruction result = Reconstruct(PieceSets(input.Sets), input.Settings, Execution());
+  const UndecidedPlaces none = FindUndecidedPlaces(GeometryOf(result), {});
+  EXPECT_TRUE(none.Places.empty());
+  EXPECT_TRUE(none.Planes.empty());
+}
+
+//----------------------------------------------------------------------------
+/// Slices of vessels thinner than the distance of the planes: whoever adds the proposed slices knows
+/// more.
+TEST(UndecidedPlaces, ProposedSlicesSettleThinVessels)
+{
+  const std::array<Point3, 6> directions{ { { 1.0, 0.1, 0.05 }, { 0.05, 1.0, 0.12 },
+    { 0.07, 0.11, 1.0 }, { 1.0, 0.8, 0.1 }, { 0.1, 0.9, 1.0 }, { 0.6, 0.7, 0.8 } } };
+  std::size_t first = 0, last = 0;
+  for (const Point3& d : directions)
+  {
+    SCOPED_TRACE(::testing::Message() << d[0] << ", " << d[1] << ", " << d[2]);
+    Solid solid;
+    solid.Low = { -1.211, -1.223, -1.237 };
+    solid.High = { 1.217, 1.213, 1.229 };
+    solid.Tubes = { Capsule({ -0.9 * d[0], -0.9 * d[1], -0.9 * d[2] },
+                      { 0.9 * d[0], 0.9 * d[1], 0.9 * d[2] }, 0.08),
+      Ball({ 0.0, 0.0, 0.0 }, 0.4) };
+    PlaneSets planes = EqualPlanes(solid, { 8, 8, 8 });
+    const auto undecided = [&]
+    {
+      return Reconstruct(SliceSolid(solid, planes, 6, InPlaneGrid::Free), Options(), Execution())
+        .Undecided;
+    };
+    const UndecidedPlaces before = undecided();
+    UndecidedPlaces now = before;
+    for (int round = 0; round < 8 && !now.Planes.empty(); ++round)
+    {
+      std::vector<double>& axis = planes[now.Planes[0].Axis];
+      axis.insert(std::lower_bound(axis.begin(), axis.end(), now.Planes[0].Coordinate),
+        now.Planes[0].Coordinate);
+      now = undecided();
+    }
+    EXPECT_TRUE(before.Places.empty() || now.Places.size() < before.Places.size());
+    first += before.Places.size();
+    last += now.Places.size();
+  }
+  EXPECT_GT(first, 6u);
+  EXPECT_LE(last, first / 4);
+}
