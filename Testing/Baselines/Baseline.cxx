@@ -17,6 +17,7 @@ std::vector<std::unique_ptr<Baseline>> MakeAllMethods()
 {
   std::vector<std::unique_ptr<Baseline>> methods;
   methods.push_back(std::make_unique<OrthogonalSlices>());
+  methods.push_back(std::make_unique<OneFamily>());
   methods.push_back(std::make_unique<NaiveRuledSurface>());
   methods.push_back(std::make_unique<RuledSurface>(RuledSurface::Mode::Resample));
   methods.push_back(std::make_unique<RuledSurface>(RuledSurface::Mode::PointWalk));

@@ -17,12 +17,21 @@ std::string OrthogonalSlices::Description() const
 }
 
 //------------------------------------------------------------------------------
+std::string OneFamily::Description() const
+{
+  return "vtkOrthogonalSliceReconstruction, default settings, z-slices only";
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> OrthogonalSlices::Reconstruct(const SliceSets& slices) const
 {
   vtkNew<vtkOrthogonalSliceReconstruction> filter;
   for (int axis = 0; axis < 3; ++axis)
   {
-    filter->SetInputData(axis, slices.Families[axis]);
+    if (this->UsesFamilies()[axis])
+    {
+      filter->SetInputData(axis, slices.Families[axis]);
+    }
   }
   filter->Update();
   auto surface = vtkSmartPointer<vtkPolyData>::New();

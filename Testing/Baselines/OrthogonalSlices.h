@@ -15,7 +15,7 @@ namespace orthoslices
 namespace baselines
 {
 
-/// vtkOrthogonalSliceReconstruction with its default settings.
+/// vtkOrthogonalSliceReconstruction with its default settings, given all families.
 class OrthogonalSlices : public Baseline
 {
 public:
@@ -23,6 +23,15 @@ public:
   std::string Description() const override;
   std::array<bool, 3> UsesFamilies() const override { return { true, true, true }; }
   vtkSmartPointer<vtkPolyData> Reconstruct(const SliceSets& slices) const override;
+};
+
+/// The same, given z-slices only: parallel slices are joined.
+class OneFamily : public OrthogonalSlices
+{
+public:
+  std::string Name() const override { return "orthogonal-z"; }
+  std::string Description() const override;
+  std::array<bool, 3> UsesFamilies() const override { return { false, false, true }; }
 };
 
 } // namespace baselines

@@ -406,7 +406,7 @@ TEST(AllMethods, NamesAreUniqueAndNoSlicesMakeNoSurface)
   {
     names.push_back(method->Name());
     EXPECT_FALSE(method->Description().empty());
-    if (method->Name() != "orthogonal") // reports an error
+    if (method->Name().compare(0, 10, "orthogonal") != 0) // reports an error
     {
       EXPECT_EQ(method->Reconstruct(none)->GetNumberOfCells(), 0) << method->Name();
     }
