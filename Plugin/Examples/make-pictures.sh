@@ -8,6 +8,7 @@
 #   reconstruction.png  the contours of a heart, and the surface from them
 #   comparison.png      the same slices given to other methods
 #   disagreement.png    one slice was moved: where, how much, and which one it is
+#   thin.png            a neuron thinner than the slices are apart, by discs and by evidence
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -33,4 +34,6 @@ draw "$build/bin/CompareMethods" --data Data --cases knot --slices 16 --samples 
 echo "-- $pictures/disagreement.png"
 draw pvpython Plugin/Examples/InspectDisagreement.py Data/heart/n32_{x,y,z}.vtp \
   "$pictures/disagreement.png" --plugin "$plugin" --shift y 15 0.012 0.008
+echo "-- $pictures/thin.png"
+draw pvpython Plugin/Examples/ThinParts.py Data/neuron/n16_{x,y,z}.vtp "$pictures/thin.png" "$plugin" 1200
 ls -l "$pictures"
