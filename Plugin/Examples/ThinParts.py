@@ -21,7 +21,7 @@ MOST_ROWS = 10
 
 
 def print_undecided(surface):
-    table = servermanager.Fetch(simple.OutputPort(surface, 5), idx=0)
+    table = servermanager.Fetch(surface, idx=5)
     names = [table.GetColumnName(i) for i in range(table.GetNumberOfColumns())]
     print("  ".join(f"{name:>15}" for name in names))
     for row in range(min(MOST_ROWS, table.GetNumberOfRows())):
@@ -55,10 +55,9 @@ def main(x, y, z, picture, plugin=None, width=1600):
     layout.SetSize(*size)
     for view in simple.GetViewsInLayout(layout):
         # The same look at both: the pieces of the left one do not fill its view.
-        view.CameraParallelScale = 1.0
         view.CameraPosition = [0.62, -1.24, 0.5]
-        view.CameraFocalPoint = [0.0, 0.0, 0.0]
-        view.CameraViewAngle = 24.0
+        view.CameraFocalPoint = [0.0, 0.0, -0.05]
+        view.CameraViewAngle = 29.0
     example.save_screenshot(picture, layout, size)
 
 
