@@ -441,7 +441,7 @@ void RateContinuations(const CycleGeometry& geometry, std::vector<Candidate>& ca
 }
 }
 
-std::vector<CycleJoin> FindJoins(const CycleGeometry& geometry,
+std::vector<CycleJoin> FindJoins(const CycleGeometry& geometry, const CellGroups& cells,
   const std::vector<double>& nodeNormals, const std::vector<double>& centralPoints,
   const KnownPairs& known, const Execution& execution)
 {
@@ -453,16 +453,15 @@ std::vector<CycleJoin> FindJoins(const CycleGeometry& geometry,
       patchOf[cycle] = static_cast<Index>(patch);
     }
   }
-  const CellGroups groups = GroupByCell(geometry.Grid, geometry.Polygons, execution);
-  std::vector<std::vector<Candidate>> found(groups.Several.size());
+  std::vector<std::vector<Candidate>> found(cells.Several.size());
   execution.For(found.size(),
     [&](std::size_t begin, std::size_t end)
     {
       CellJoins cell(geometry, nodeNormals, centralPoints, known, patchOf);
       for (std::size_t i = begin; i < end; ++i)
       {
-        found[i] = cell.Find(groups.Cycles.data() + groups.Several[i].first,
-          groups.Cycles.data() + groups.Several[i].second);
+        found[i] = cell.Find(cells.Cycles.data() + cells.Several[i].first,
+          cells.Cycles.data() + cells.Several[i].second);
       }
     });
   std::vector<Candidate> candidates;

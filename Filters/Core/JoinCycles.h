@@ -52,8 +52,8 @@ struct KnownPairs
   std::vector<PatchMesh> Patches; ///< the cycles of one patch are joined; see StitchSlabs
 };
 
-/// Ascending by cell.
-std::vector<CycleJoin> FindJoins(const CycleGeometry& geometry,
+/// Ascending by cell. `cells` are those of all cycles.
+std::vector<CycleJoin> FindJoins(const CycleGeometry& geometry, const CellGroups& cells,
   const std::vector<double>& nodeNormals, const std::vector<double>& centralPoints,
   const KnownPairs& known, const Execution& execution);
 

@@ -129,6 +129,7 @@ SeparatedPatches ChoosePatches(const Options& options, const std::vector<double>
 {
   constexpr int mostRounds = 16;
   const CycleGeometry geometry = GeometryOf(result);
+  const CellGroups cells = GroupByCell(result.Grid, result.Polygons, execution);
   KnownPairs known;
   if (options.Several == SeveralCycles::ByEvidence && !result.Graph.Loops.empty())
   {
@@ -141,16 +142,20 @@ SeparatedPatches ChoosePatches(const Options& options, const std::vector<double>
   result.Joins.clear();
   if (options.Several == SeveralCycles::ByEvidence)
   {
-    result.Joins = FindJoins(geometry, normals, result.Surface.CentralPoints, known, execution);
+    result.Joins =
+      FindJoins(geometry, cells, normals, result.Surface.CentralPoints, known, execution);
   }
   const bool atAnyPrice = options.Known.Components > 0 || options.Known.Genus >= 0;
   SeparatedPatches separated;
   for (int round = 1; round <= mostRounds; ++round)
   {
     // Others may do instead of joins that have turned out to be impossible.
-    ChooseJoins(geometry, options.Known, result.Joins);
-    separated = SeparatePatches(
-      geometry, result.Surface.CentralPoints, known.Patches, atAnyPrice, execution, result.Joins);
+    if (!result.Joins.empty())
+    {
+      ChooseJoins(geometry, options.Known, result.Joins);
+    }
+    separated = SeparatePatches(geometry, cells, result.Surface.CentralPoints, known.Patches,
+      atAnyPrice, execution, result.Joins);
     if (!separated.Undone)
     {
       break;

@@ -381,7 +381,7 @@ void CellPatches::Run(const Index* first, const Index* last, CycleJoin* firstJoi
 }
 }
 
-SeparatedPatches SeparatePatches(const CycleGeometry& geometry,
+SeparatedPatches SeparatePatches(const CycleGeometry& geometry, const CellGroups& cells,
   const std::vector<double>& centralPoints, const std::vector<PatchMesh>& stitched, bool atAnyPrice,
   const Execution& execution, std::vector<CycleJoin>& joins)
 {
@@ -389,13 +389,12 @@ SeparatedPatches SeparatePatches(const CycleGeometry& geometry,
   const int open =
     (grid.Count(0) == 0 ? 1 : 0) + (grid.Count(1) == 0 ? 1 : 0) + (grid.Count(2) == 0 ? 1 : 0);
   const bool mayShell = atAnyPrice || open < 2;
-  const CellGroups groups = GroupByCell(geometry.Grid, geometry.Polygons, execution);
   // The joins of each cell, which are in the same order.
-  std::vector<std::pair<std::size_t, std::size_t>> joinsOf(groups.Several.size());
+  std::vector<std::pair<std::size_t, std::size_t>> joinsOf(cells.Several.size());
   std::size_t next = 0;
   for (std::size_t i = 0; i < joinsOf.size(); ++i)
   {
-    const auto& cell = geometry.Polygons.Cell[groups.Cycles[groups.Several[i].first]];
+    const auto& cell = geometry.Polygons.Cell[cells.Cycles[cells.Several[i].first]];
     joinsOf[i].first = next;
     while (next < joins.size() && geometry.Polygons.Cell[joins[next].First] == cell)
     {
@@ -403,15 +402,15 @@ SeparatedPatches SeparatePatches(const CycleGeometry& geometry,
     }
     joinsOf[i].second = next;
   }
-  std::vector<SeparatedPatches> found(groups.Several.size());
+  std::vector<SeparatedPatches> found(cells.Several.size());
   execution.For(found.size(),
     [&](std::size_t begin, std::size_t end)
     {
       CellPatches cell(geometry, centralPoints, stitched, mayShell);
       for (std::size_t i = begin; i < end; ++i)
       {
-        cell.Run(groups.Cycles.data() + groups.Several[i].first,
-          groups.Cycles.data() + groups.Several[i].second, joins.data() + joinsOf[i].first,
+        cell.Run(cells.Cycles.data() + cells.Several[i].first,
+          cells.Cycles.data() + cells.Several[i].second, joins.data() + joinsOf[i].first,
           joins.data() + joinsOf[i].second, found[i]);
       }
     });

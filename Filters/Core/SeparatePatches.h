@@ -31,7 +31,7 @@ struct SeparatedPatches
  * Only rounding can spoil that, where arcs lie closer together than it moves the copies. Such
  * cells are unresolved: EmbedArcs has to draw their arcs anew.
  */
-SeparatedPatches SeparatePatches(const CycleGeometry& geometry,
+SeparatedPatches SeparatePatches(const CycleGeometry& geometry, const CellGroups& cells,
   const std::vector<double>& centralPoints, const std::vector<PatchMesh>& stitched, bool atAnyPrice,
   const Execution& execution, std::vector<CycleJoin>& joins);
 }

@@ -418,7 +418,8 @@ TEST(SeparatePatches, RandomJoinsAreBuiltOrUndone)
     }
     const std::vector<CycleJoin> before = joins;
     SeparatedPatches separated =
-      SeparatePatches(geometry, result.Surface.CentralPoints, {}, true, Execution(), joins);
+      SeparatePatches(geometry, GroupByCell(result.Grid, result.Polygons, Execution()),
+        result.Surface.CentralPoints, {}, true, Execution(), joins);
     Index undone = 0;
     for (std::size_t i = 0; i < joins.size(); ++i)
     {
