@@ -114,6 +114,17 @@ def check_properties_reach_the_filters():
         "no surface with the other modes")
 
 
+def check_parallel():
+    """One family of slices, with the defaults and another criterion."""
+    slicer = simple.OrthogonalSlicer(Input=sphere())
+    parallel = simple.ParallelSliceReconstruction(Input=simple.OutputPort(slicer, 2))
+    check_closed(fetch(parallel), components=1)
+    parallel.Correspondence = "Spanning Tree"
+    check_closed(fetch(parallel), components=1)
+    parallel.ExpectedComponents = 2
+    check(field_value(fetch(parallel), "NumberOfUndecidedPlaces") >= 0, "no undecided places")
+
+
 def check_image():
     """An image with the defaults, and one of its labels."""
     wavelet = simple.Wavelet()
@@ -139,6 +150,7 @@ def main(plugin, data):
     check_sphere()
     check_outputs()
     check_properties_reach_the_filters()
+    check_parallel()
     check_image()
     check_heart(data)
     print("plugin: all checks passed")
