@@ -117,7 +117,7 @@ def check_properties_reach_the_filters():
 def check_parallel():
     """One family of slices, with the defaults and another criterion."""
     slicer = simple.OrthogonalSlicer(Input=sphere())
-    parallel = simple.ParallelSliceReconstruction(Input=simple.OutputPort(slicer, 2))
+    parallel = simple.ParallelSliceReconstruction(ZSlices=simple.OutputPort(slicer, 2))
     check_closed(fetch(parallel), components=1)
     parallel.Correspondence = "Spanning Tree"
     check_closed(fetch(parallel), components=1)
