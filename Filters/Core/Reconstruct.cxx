@@ -46,10 +46,10 @@ double FindDiagonal(const std::array<Pieces, 3>& pieces)
   return std::isfinite(diagonal) ? diagonal : 0.0;
 }
 
-/// Whether the slices are cuts of one solid: their contours meet to within a hundredth of a spacing.
+/// Whether the slices are cuts of one solid: contours meet to within a small part of a spacing.
 bool DoSlicesAgree(const SpatialGrid& grid, const NodePoints& nodes)
 {
-  constexpr double most = 0.01;
+  constexpr double most = 0.03;
   double sum = 0.0;
   for (const double difference : nodes.Difference)
   {
