@@ -183,8 +183,7 @@ void MeasureTopology(Reconstruction& result)
   result.Topology = { result.Graph.Components, result.Graph.Components - euler / 2 };
 }
 
-/// Loops, cycles, central points and patches. Returns the cycles of cells that rounding leaves
-/// unresolved.
+/// Cycles, central points and patches. Returns the cycles of cells that rounding leaves unresolved.
 std::vector<Index> PatchCells(const Options& options, const std::vector<double>& normals,
   const Execution& execution, Reconstruction& result)
 {
@@ -196,6 +195,7 @@ std::vector<Index> PatchCells(const Options& options, const std::vector<double>&
   return separated.Unresolved;
 }
 
+/// Loops and all patches, without small components.
 void MakePatches(const Options& options, std::vector<double>& normals, const Execution& execution,
   Reconstruction& result)
 {

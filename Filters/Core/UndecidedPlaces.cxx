@@ -161,7 +161,7 @@ bool Proposer::ProposePlane()
   ProposedPlane best{ 0, 0.0, 0 };
   for (int axis = 0; axis < 3; ++axis)
   {
-    // Intervals begin (+1) before they end (-1) at the same coordinate.
+    // At the same coordinate intervals begin (-1) before others end (1).
     std::vector<std::pair<double, int>> ends;
     for (const Interval& interval : this->Intervals)
     {
@@ -179,7 +179,7 @@ bool Proposer::ProposePlane()
       if (open > most)
       {
         most = open;
-        // The next end is that of an interval, or the beginning of a place that is settled elsewhere.
+        // Open intervals end somewhere: there is a next one.
         best = { axis, 0.5 * (ends[i].first + ends[i + 1].first), 0 };
       }
     }
