@@ -96,3 +96,17 @@ TEST(Regression, SpikeThatMissesItselfByOneStep)
                 "z=0: -8,-8 8,-8 8,8 -8,8",
     ByNesting());
 }
+
+//----------------------------------------------------------------------------
+/// Where contours of neighbouring slices cross in projection next to a corner, rounding to float put the
+/// new vertices of both sides of the corner on one line.
+TEST(Regression, NewVerticesOfParallelSlicesBesideACorner)
+{
+  Options options = ByNesting();
+  options.Central = CentralPointMethod::Centroid;
+  ExpectNoFlaws("y=9.9999997171806854e-10: -9.9999997171806854e-10,1.9999999434361371e-09 "
+                "1.9999999434361371e-09,4.000000330961484e-09 0,3.9999998868722741e-09\n"
+                "y=4.9999999696126451e-09: -9.9999997171806854e-10,0 "
+                "-9.9999997171806854e-10,9.9999997171806854e-10 0,3.9999998868722741e-09",
+    options);
+}

@@ -251,22 +251,6 @@ std::vector<FaceArcs> LoopEmbedder::FindArcs(const std::vector<Candidate>& candi
   return found;
 }
 
-/// Appends a curve with vertices of its own.
-void AddCurve(const std::vector<Point2>& points, PlanarCurves& curves)
-{
-  const Index first = static_cast<Index>(curves.Vertices.size());
-  curves.Vertices.insert(curves.Vertices.end(), points.begin(), points.end());
-  curves.Curves.emplace_back(points.size());
-  std::iota(curves.Curves.back().begin(), curves.Curves.back().end(), first);
-}
-
-void AddClosedCurve(std::vector<Point2> points, PlanarCurves& curves)
-{
-  points.push_back(points.front());
-  curves.FirstClosed = std::min(curves.FirstClosed, curves.Curves.size());
-  AddCurve(points, curves);
-}
-
 void LoopEmbedder::AddArcs(const FaceArcs& arcs, PlanarCurves& curves) const
 {
   for (const Index arc : arcs)

@@ -3,6 +3,7 @@
 #include "StitchSlabs.h"
 
 #include "OverlaySlab.h"
+#include "UncrossCurves.h"
 #include "Vectors.h"
 
 #include <algorithm>
@@ -151,7 +152,10 @@ public:
 private:
   void FormGroups(LoopCriterion criterion, const std::vector<LoopPair>& pairs);
   void Overlay(SlabGroup& group, bool mayShear) const;
-  void InsertVertices();
+  void InsertVertices(const Execution& execution);
+  void TryInsertVertices();
+  bool LeaveOutSpoilt(const Execution& execution);
+  bool AreLoopsSimple(const std::vector<Index>& loops) const;
   void Append(Index loop, const std::vector<NewVertex>& vertices, std::vector<double>& points);
   void AddPatches(std::size_t group, std::vector<PatchMesh>& meshes) const;
   Point3 Place(const SlabGroup& group, const Point3& point) const;
@@ -284,8 +288,72 @@ void SlabStitcher::Append(
   }
 }
 
-void SlabStitcher::InsertVertices()
+/// Inserts the vertices of the overlays, but for those that rounding would spoil.
+void SlabStitcher::InsertVertices(const Execution& execution)
 {
+  const std::vector<double> points = this->Graph.Points;
+  const std::vector<Index> offsets = this->Graph.Offsets;
+  this->TryInsertVertices();
+  while (this->LeaveOutSpoilt(execution))
+  {
+    this->Graph.Points = points;
+    this->Graph.Offsets = offsets;
+    this->TryInsertVertices();
+  }
+}
+
+/// Gives up the overlays beside slices on which loops touch: a new vertex, once rounded, lies beside
+/// its segment and may lie on another one. Returns whether there are any.
+bool SlabStitcher::LeaveOutSpoilt(const Execution& execution)
+{
+  const std::size_t planes = this->Grid.Planes[this->Axis].size();
+  std::vector<std::uint8_t> isNew(planes, 0), isSpoilt(planes, 0);
+  for (const SlabGroup& group : this->Groups)
+  {
+    for (const SlabOverlay::Insertion& insertion : group.Overlay.Insertions)
+    {
+      isNew[this->Graph.Loops[group.Loops[insertion.Loop]].Plane] |= group.Overlay.Valid ? 1 : 0;
+    }
+  }
+  std::vector<std::vector<Index>> loopsOn(planes);
+  for (Index loop = 0; loop < static_cast<Index>(this->Graph.Loops.size()); ++loop)
+  {
+    loopsOn[this->Graph.Loops[loop].Plane].push_back(loop);
+  }
+  execution.For(planes,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t plane = begin; plane < end; ++plane)
+      {
+        isSpoilt[plane] = isNew[plane] != 0 && !this->AreLoopsSimple(loopsOn[plane]);
+      }
+    });
+  for (SlabGroup& group : this->Groups)
+  {
+    const auto below = static_cast<std::size_t>(group.Slab);
+    if ((below > 0 && isSpoilt[below - 1] != 0) || (below < planes && isSpoilt[below] != 0))
+    {
+      group.Overlay.Valid = false;
+    }
+  }
+  return std::find(isSpoilt.begin(), isSpoilt.end(), 1) != isSpoilt.end();
+}
+
+/// Whether loops of one slice touch neither each other nor themselves.
+bool SlabStitcher::AreLoopsSimple(const std::vector<Index>& loops) const
+{
+  PlanarCurves curves;
+  for (const Index loop : loops)
+  {
+    AddClosedCurve(PolygonOf(this->Graph, loop), curves);
+  }
+  return AreSimple(curves);
+}
+
+void SlabStitcher::TryInsertVertices()
+{
+  this->InsertionAt.clear();
+  this->Places.clear();
   const Index loops = static_cast<Index>(this->Graph.Loops.size());
   std::vector<std::vector<NewVertex>> ofLoop(loops);
   for (std::size_t g = 0; g < this->Groups.size(); ++g)
@@ -563,7 +631,7 @@ std::vector<PatchMesh> SlabStitcher::Run(
         this->Overlay(this->Groups[i], mayShear);
       }
     });
-  this->InsertVertices();
+  this->InsertVertices(execution);
   std::vector<std::vector<PatchMesh>> found(this->Groups.size());
   execution.For(found.size(),
     [&](std::size_t begin, std::size_t end)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace orthoslices
 {
@@ -496,6 +497,21 @@ Uncrossing Untangler::Run()
   this->Result.Shortening = length - this->Length();
   return this->Result;
 }
+}
+
+void AddCurve(const std::vector<Point2>& points, PlanarCurves& curves)
+{
+  curves.Curves.emplace_back(points.size());
+  std::iota(curves.Curves.back().begin(), curves.Curves.back().end(),
+    static_cast<Index>(curves.Vertices.size()));
+  curves.Vertices.insert(curves.Vertices.end(), points.begin(), points.end());
+}
+
+void AddClosedCurve(std::vector<Point2> points, PlanarCurves& curves)
+{
+  points.push_back(points.front());
+  curves.FirstClosed = std::min(curves.FirstClosed, curves.Curves.size());
+  AddCurve(points, curves);
 }
 
 bool AreSimple(PlanarCurves& curves) { return Untangler(curves).IsSimple(); }

@@ -18,6 +18,10 @@ struct PlanarCurves
   std::size_t FirstClosed = static_cast<std::size_t>(-1);
 };
 
+void AddCurve(const std::vector<Point2>& points, PlanarCurves& curves);
+/// The polygon with these corners. All closed curves are added last.
+void AddClosedCurve(std::vector<Point2> points, PlanarCurves& curves);
+
 /// Whether no curve touches itself or another one. Never gives up.
 bool AreSimple(PlanarCurves& curves);
 
