@@ -396,6 +396,7 @@ std::vector<Candidate> CellJoins::Find(const Index* first, const Index* last)
         {
           candidate.Join.Evidence = std::max(candidate.Join.Evidence, CertainEvidence);
         }
+        candidate.Join.OnlyConnects = patch >= 0 || this->PatchOf[shapes[j].Cycle] >= 0;
         found.push_back(candidate);
       }
     }
@@ -435,7 +436,9 @@ void RateContinuations(const CycleGeometry& geometry, std::vector<Candidate>& ca
   {
     if (b.At)
     {
-      b.At->Join.Evidence = std::max(b.At->Join.Evidence, ForContinuation - b.Distance);
+      CycleJoin& join = b.At->Join;
+      join.OnlyConnects |= parallel && join.Evidence <= LeastEvidence;
+      join.Evidence = std::max(join.Evidence, ForContinuation - b.Distance);
     }
   }
 }
@@ -607,7 +610,8 @@ void Chooser::AddHandles(const PriorKnowledge& known)
   for (CycleJoin* join : this->InOrder)
   {
     const Index genus = this->Components - this->Euler / 2;
-    const bool wanted = known.Genus >= 0 ? genus < known.Genus : join->Evidence > LeastEvidence;
+    const bool wanted = known.Genus >= 0 ? genus < known.Genus
+                                         : join->Evidence > LeastEvidence && !join->OnlyConnects;
     if (wanted && !join->Chosen && !this->IsRing(*join) && !this->Connects(*join))
     {
       this->Choose(*join);

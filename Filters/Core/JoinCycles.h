@@ -33,13 +33,15 @@ enum class SeveralCycles
  *
  * An isolated contour has to go on somewhere: the nearest patch in one of its two cells, at the
  * distance d, has an evidence of at least 1.5 - d. With slices on one axis only, this is so in each
- * of its two cells.
+ * of its two cells. That alone makes no handle then: a contour that is connected has gone on. Nor
+ * does a join with a cycle that StitchSlabs has joined to others.
  */
 struct CycleJoin
 {
   Index First, Second; ///< cycles, First < Second
   double Evidence = 0.0;
   Index Handles = 0; ///< that come with it; see StitchSlabs
+  bool OnlyConnects = false; ///< but makes no handle of what is connected already
   bool Chosen = false;
   bool Impossible = false; ///< no patch without crossings was found
 };

@@ -12,11 +12,9 @@ namespace orthoslices
  * (our own addition). `joins` are the pairs that are joined, a tree on `cycles`, which ascend.
  *
  * The cycles at even and at odd distance in the tree become one closed curve each, by bridges
- * that are passed in both directions. Points of the two curves are paired by dynamic time warping
- * (H. Sakoe and S. Chiba, 1978), and a ring of new points, the `share` of the way from one curve
- * to the other and strictly inside the cell, is joined to both. Between points of one face it forms an arch. Every triangle has a corner on the
- * ring, so that the patch touches the boundary of its cell in its cycles only. It may cross itself
- * or others; see FindContacts.
+ * that are passed in both directions, and a tube connects the two: see TubePatch. The patch
+ * touches the boundary of its cell in its cycles only. It may cross itself or others; see
+ * FindContacts.
  */
 PatchMesh BuildJoinedPatch(const CycleGeometry& geometry, const std::vector<Index>& cycles,
   const std::vector<std::pair<Index, Index>>& joins, double share);

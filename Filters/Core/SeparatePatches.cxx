@@ -3,6 +3,7 @@
 #include "SeparatePatches.h"
 
 #include "CellShells.h"
+#include "GraftPatch.h"
 #include "JoinPatch.h"
 #include "Predicates.h"
 
@@ -15,21 +16,44 @@ namespace
 {
 /// Where a joined patch has its ring between the two curves, in the order in which they are tried.
 constexpr std::array<double, 3> RingShares{ 0.5, 0.3, 0.7 };
+/// Of GraftPatches.
+constexpr std::size_t GraftAttempts = 6;
 
 /// A patch on its way: cycles, what bounds them together, and which shape it has now.
 struct Piece
 {
   std::vector<Index> Cycles; ///< ascending
   std::vector<CycleJoin*> Joins;
-  std::size_t Shape = 0; ///< joined: which of RingShares, then shell; disc: 0 fan, 1 shell
+  std::size_t Shape = 0; ///< the number of those that were tried before; see below
   double Evidence = std::numeric_limits<double>::infinity(); ///< the least of its joins
 
-  bool Stitched = false; ///< it has the patch that StitchSlabs made
+  bool Stitched = false;      ///< it has the patch that StitchSlabs made
+  bool KeepsStitched = false; ///< StitchSlabs made a patch of some of its cycles
 
-  bool IsFan() const { return this->Joins.empty() && this->Shape == 0 && !this->Stitched; }
-  bool IsShell() const
+  /// Discs are fans at first, then shells. Joined patches are grafted, if that keeps what StitchSlabs
+  /// made, have a ring at each of the RingShares, are grafted then, and are shells at last.
+  std::size_t FirstGraft() const { return this->KeepsStitched ? 0 : RingShares.size(); }
+  bool IsGrafted() const
   {
-    return !this->Stitched && this->Shape == (this->Joins.empty() ? 1 : RingShares.size());
+    return this->Shape >= this->FirstGraft() && this->Shape < this->FirstGraft() + GraftAttempts;
+  }
+  std::size_t GraftAttempt() const { return this->Shape - this->FirstGraft(); }
+  double RingShare() const
+  {
+    return RingShares[this->Shape - (this->KeepsStitched ? GraftAttempts : 0)];
+  }
+  std::size_t LastShape() const
+  {
+    return this->Joins.empty() ? 1 : RingShares.size() + GraftAttempts;
+  }
+  bool IsFan() const { return this->Joins.empty() && this->Shape == 0 && !this->Stitched; }
+  bool IsShell() const { return !this->Stitched && this->Shape == this->LastShape(); }
+  std::size_t NextShape() const
+  {
+    // There is nothing to graft on a tube.
+    const bool skip =
+      !this->KeepsStitched && this->Shape + 1 == RingShares.size() && this->Cycles.size() == 2;
+    return this->Shape + (skip ? 1 + GraftAttempts : 1);
   }
 };
 
@@ -52,6 +76,9 @@ public:
 private:
   void Group(CycleJoin* firstJoin, CycleJoin* lastJoin);
   const PatchMesh* FindStitched(const std::vector<Index>& cycles) const;
+  std::vector<PatchMesh> FindStitchedParts(const std::vector<Index>& cycles) const;
+  void ChooseStitched(Piece& piece) const;
+  PatchMesh Graft(const Piece& piece) const;
   void Build(Index index);
   std::vector<PatchTriangle> ListTriangles();
   void AddFan(Index piece, Index& firstId, std::vector<PatchTriangle>& triangles);
@@ -119,6 +146,90 @@ const PatchMesh* CellPatches::FindStitched(const std::vector<Index>& cycles) con
   return at != this->StitchedPatches.end() && at->Cycles == cycles ? &*at : nullptr;
 }
 
+/// The patches that StitchSlabs made of some of these cycles; of a single one, the longest, only if
+/// there are no others.
+std::vector<PatchMesh> CellPatches::FindStitchedParts(const std::vector<Index>& cycles) const
+{
+  std::vector<PatchMesh> parts;
+  std::vector<PatchMesh> lid;
+  for (const Index cycle : cycles)
+  {
+    const auto at = std::lower_bound(this->StitchedPatches.begin(), this->StitchedPatches.end(),
+      cycle, [](const PatchMesh& m, Index front) { return m.Cycles.front() < front; });
+    if (at != this->StitchedPatches.end() && at->Cycles.front() == cycle &&
+      std::includes(cycles.begin(), cycles.end(), at->Cycles.begin(), at->Cycles.end()))
+    {
+      const bool isLid = at->Cycles.size() == 1;
+      if (!isLid)
+      {
+        parts.push_back(*at);
+      }
+      else if (lid.empty() || lid.front().Triangles.size() < at->Triangles.size())
+      {
+        lid.assign(1, *at);
+      }
+    }
+  }
+  return parts.empty() ? lid : parts;
+}
+
+void CellPatches::ChooseStitched(Piece& piece) const
+{
+  piece.Stitched = this->FindStitched(piece.Cycles) != nullptr;
+  piece.KeepsStitched = !piece.Stitched && !this->FindStitchedParts(piece.Cycles).empty();
+}
+
+/// What StitchSlabs made, tubes by the best of the other joins, and thin tubes by the rest.
+PatchMesh CellPatches::Graft(const Piece& piece) const
+{
+  std::vector<PatchMesh> parts = this->FindStitchedParts(piece.Cycles);
+  DisjointSets known(static_cast<Index>(piece.Cycles.size()));
+  std::vector<std::uint8_t> hasPatch(piece.Cycles.size(), 0);
+  const auto placeOf = [&](Index cycle)
+  {
+    return static_cast<Index>(
+      std::lower_bound(piece.Cycles.begin(), piece.Cycles.end(), cycle) - piece.Cycles.begin());
+  };
+  const auto addCycles = [&](const PatchMesh& part)
+  {
+    for (const Index cycle : part.Cycles)
+    {
+      hasPatch[placeOf(cycle)] = 1;
+      known.Unite(placeOf(part.Cycles.front()), placeOf(cycle));
+    }
+  };
+  std::for_each(parts.begin(), parts.end(), addCycles);
+  std::vector<const CycleJoin*> inOrder(piece.Joins.begin(), piece.Joins.end());
+  std::stable_sort(inOrder.begin(), inOrder.end(),
+    [](const CycleJoin* a, const CycleJoin* b) { return a->Evidence > b->Evidence; });
+  for (const CycleJoin* join : inOrder)
+  {
+    if (hasPatch[placeOf(join->First)] == 0 && hasPatch[placeOf(join->Second)] == 0)
+    {
+      const auto pair = std::minmax(join->First, join->Second);
+      parts.push_back(BuildJoinedPatch(this->Geometry, { pair.first, pair.second },
+        { { join->First, join->Second } }, RingShares.front()));
+      addCycles(parts.back());
+    }
+  }
+  for (std::size_t i = 0; i < piece.Cycles.size(); ++i)
+  {
+    if (hasPatch[i] == 0)
+    {
+      parts.push_back({ PatchKind::Joined, { piece.Cycles[i] }, {}, {} });
+    }
+  }
+  std::vector<std::pair<Index, Index>> grafts;
+  for (const CycleJoin* join : inOrder)
+  {
+    if (known.Unite(placeOf(join->First), placeOf(join->Second)))
+    {
+      grafts.emplace_back(join->First, join->Second);
+    }
+  }
+  return GraftPatches(this->Geometry, parts, grafts, piece.GraftAttempt());
+}
+
 void CellPatches::Build(Index index)
 {
   const Piece& piece = this->Pieces[index];
@@ -147,12 +258,17 @@ void CellPatches::Build(Index index)
     mesh = this->Shells[index];
     return;
   }
+  if (piece.IsGrafted())
+  {
+    mesh = this->Graft(piece);
+    return;
+  }
   std::vector<std::pair<Index, Index>> pairs;
   for (const CycleJoin* join : piece.Joins)
   {
     pairs.emplace_back(join->First, join->Second);
   }
-  mesh = BuildJoinedPatch(this->Geometry, piece.Cycles, pairs, RingShares[piece.Shape]);
+  mesh = BuildJoinedPatch(this->Geometry, piece.Cycles, pairs, piece.RingShare());
 }
 
 void CellPatches::AddFan(Index piece, Index& firstId, std::vector<PatchTriangle>& triangles)
@@ -250,7 +366,7 @@ void CellPatches::Undo(Index index)
   }
   for (Piece& part : parts)
   {
-    part.Stitched = this->FindStitched(part.Cycles) != nullptr;
+    this->ChooseStitched(part);
   }
   this->Pieces[index] = parts[0];
   this->Pieces.push_back(parts[1]);
@@ -300,14 +416,15 @@ bool CellPatches::Change(const std::vector<std::pair<Index, Index>>& contacts)
     }
     any = true;
     const bool isLast = !this->MayShell && !this->Pieces[i].Joins.empty() &&
-      !this->Pieces[i].Stitched && this->Pieces[i].Shape + 1 == RingShares.size();
+      !this->Pieces[i].Stitched && this->Pieces[i].NextShape() == this->Pieces[i].LastShape();
     if (this->Pieces[i].IsShell() || isLast)
     {
       this->Undo(static_cast<Index>(i));
       undone = true;
       continue;
     }
-    this->Pieces[i].Shape += this->Pieces[i].Stitched ? 0 : 1;
+    this->Pieces[i].Shape =
+      this->Pieces[i].Stitched ? this->Pieces[i].Shape : this->Pieces[i].NextShape();
     this->Pieces[i].Stitched = false;
   }
   // Shells depend on what is joined.
@@ -337,7 +454,7 @@ void CellPatches::Run(const Index* first, const Index* last, CycleJoin* firstJoi
   this->Meshes.assign(this->Pieces.size(), PatchMesh());
   for (std::size_t i = 0; i < this->Pieces.size(); ++i)
   {
-    this->Pieces[i].Stitched = this->FindStitched(this->Pieces[i].Cycles) != nullptr;
+    this->ChooseStitched(this->Pieces[i]);
     this->Build(static_cast<Index>(i));
   }
   while (true)
@@ -353,9 +470,9 @@ void CellPatches::Run(const Index* first, const Index* last, CycleJoin* firstJoi
     std::vector<std::pair<Index, Index>> contacts = FindContacts(triangles, shapes);
     for (std::size_t i = 0; i < this->Pieces.size(); ++i)
     {
-      // A shell without triangles was not possible.
+      // What has no triangles was not possible.
       if (this->HasNoAreaIn[i] != 0 ||
-        (this->Pieces[i].IsShell() && this->Meshes[i].Triangles.empty()))
+        (!this->Pieces[i].IsFan() && this->Meshes[i].Triangles.empty()))
       {
         contacts.emplace_back(static_cast<Index>(i), static_cast<Index>(i));
       }

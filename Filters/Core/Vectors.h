@@ -27,6 +27,15 @@ inline Point3 Cross(const Point3& a, const Point3& b)
 {
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
+inline double SquaredDistance(const Point3& a, const Point3& b)
+{
+  const Point3 d = b - a;
+  return Dot(d, d);
+}
+inline Point3 Between(const Point3& a, const Point3& b, double share)
+{
+  return a + share * (b - a);
+}
 inline double Length(const Point3& a) { return std::sqrt(Dot(a, a)); }
 /// Of unit length; zero stays zero.
 inline Point3 Unit(const Point3& a)

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesTubePatch_h
+#define OrthoSlicesTubePatch_h
+
+#include "PatchMesh.h"
+
+#include <limits>
+
+namespace orthoslices
+{
+/// A closed curve: corners as in PatchMesh, and where they are.
+struct PatchCurve
+{
+  std::vector<Index> Corners;
+  std::vector<Point3> Points;
+
+  Index Count() const { return static_cast<Index>(this->Corners.size()); }
+};
+
+/// A point of one curve and one of another.
+struct PointPair
+{
+  Index First = 0, Second = 0;
+  double Distance2 = std::numeric_limits<double>::infinity();
+};
+
+/// The nearest two points of two curves, among places on borders.
+PointPair FindNearestOnBorders(const PatchCurve& a, const PatchCurve& b);
+
+/**
+ * Builds a patch of a cell from tubes between closed curves (our own addition).
+ *
+ * Points of the two curves are paired by dynamic time warping (H. Sakoe and S. Chiba, 1978), and a
+ * ring of new points, the `share` of the way from one curve to the other and strictly inside the
+ * cell, is joined to both. Between points of one face it forms an arch. Every triangle has a corner
+ * on the ring, so that the tube touches the boundary of its cell in the two curves only.
+ */
+class TubePatch
+{
+public:
+  /// Of the cycles, which ascend, of one cell.
+  TubePatch(const CycleGeometry& geometry, const std::vector<Index>& cycles);
+
+  /// A new corner, moved strictly into the cell.
+  Index AddPoint(const Point3& point);
+  /// Makes the tube between two curves; the second one runs backwards. Arches are as high as this
+  /// part of the distance that they bridge.
+  void AddTube(const PatchCurve& a, const PatchCurve& b, double share, double archHeight);
+
+  /// The border of the cycle at this place in the list.
+  PatchCurve BorderOf(std::size_t cycle) const;
+  Point3 PointAt(Index corner) const;
+
+  PatchMesh Mesh;
+
+private:
+  Point3 Arch(const Point3& from, const Point3& to, Point3 between, double height) const;
+  void AddStrip(
+    const PatchCurve& curve, Index from, Index to, Index ringFrom, Index ringTo, bool flip);
+
+  const CycleGeometry& Geometry;
+  const std::array<Index, 3>& Cell;
+  std::vector<Index> Borders;           ///< points of all borders, one after another
+  std::vector<std::size_t> FirstPlaces; ///< of each cycle among them, and one past the last
+};
+}
+
+#endif
