@@ -150,6 +150,27 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  * Where arcs lie so close together that rounding could spoil that, they are drawn anew, farther
  * apart. A slab that is a few dozen steps of the precision wide may leave no room for that:
  * DoubtfulCycles counts the patches concerned.
+ *
+ * Sampling condition: the surface has the topology of the object's surface S where the contours are
+ * its exact cuts and the diagonal D of each cell of M that S meets is at most the reach r of S (its
+ * least distance from its medial axis). Compare O. Amini, J.-D. Boissonnat and P. Memari,
+ * "Geometric Tomography with Topological Guarantees", Discrete & Computational Geometry 50 (2013),
+ * whose condition bounds the height of the cells of arbitrary planes by the reach, too. Why:
+ *   - No component of S fits between the planes, as it would have a diameter of 2 r or more. So
+ *     every part of S in a cell ends in cycles, which are known: slices that agree leave nothing
+ *     to be guessed on the faces of M.
+ *   - If all parts are discs, so are ours, with the same cycles as borders. Discs in a ball that do
+ *     not meet are isotopic if their borders are the same; then the whole is isotopic to S. This
+ *     needs no reach, and holds for SeveralCycles::Discs however coarse the slices are.
+ *   - Two normals of S at a distance of D <= r differ by 60 degrees at most, sin(angle / 2) being
+ *     at most D / (2 r). So a part of S in a cell is a graph over any of its tangent planes: no
+ *     tube, whose normals point all around, but a disc, perhaps with holes. A hole is where S
+ *     leaves the convex cell and comes back: around a point whose normal is parallel to an axis.
+ *   - Evidence tells the two apart. The border of a disc lies around it as the normals say
+ *     (flatness near 1, so nothing speaks for a tube), that of a hole the other way around
+ *     (flatness near -1), and an isolated contour continues to the patch that is nearest.
+ * The last step is an argument for D much smaller than r only. Tests find no exception among
+ * random solids of known reach at D = r, nor at D = 2 r.
  */
 Reconstruction Reconstruct(
   std::array<Pieces, 3>&& pieces, const Options& options, const Execution& execution);
