@@ -142,7 +142,7 @@ void WriteUndecidedTable(const Reconstruction& result, vtkTable* table)
     choice->InsertNextValue(static_cast<int>(place.Choice));
     evidence->InsertNextValue(place.Evidence);
     const ProposedPlane plane =
-      place.PlaneRank < 0 ? ProposedPlane{ -1, 0.0, 0 } : result.Undecided.Planes[place.PlaneRank];
+      place.PlaneRank < 0 ? ProposedPlane{ -1, 0.0, 0, 0.0 } : result.Undecided.Planes[place.PlaneRank];
     rank->InsertNextValue(place.PlaneRank);
     axis->InsertNextValue(plane.Axis);
     coordinate->InsertNextValue(plane.Coordinate);

@@ -95,10 +95,11 @@
  * Port 5, the undecided places (vtkTable), one row each: "X", "Y", "Z" (double): where; "Kind" (int):
  * 0 two cycles that are the ends of a tube or ends of their own, 1 an isolated contour and the patch
  * that it may continue, 2 two isolated contours; "Choice" (int): 0 separate, 1 joined, 2 separate
- * because no joined patch without crossings was found; "Evidence" (double): for joining them, 0 is
- * undecided; and where to slice next: "PlaneAxis" (int), "PlaneCoordinate" (double), the slice that
+ * because no joined patch without crossings was found; "Evidence" (double): for joining them, the
+ * logarithm of the odds: 0 says nothing, and from 3 or -3 on (95 %) a place is not listed; and where to slice next: "PlaneAxis" (int), "PlaneCoordinate" (double), the slice that
  * would settle the place, "PlaneSettles" (vtkIdType), how many places it would settle, and
- * "PlaneRank" (int), 0 for the slice that settles most. The rows ascend by that rank.
+ * "PlaneRank" (int), 0 for the slice that settles most: a place counts the more, the less certain
+ * it is (see UncertaintyOf() in Core/UndecidedPlaces.h). The rows ascend by that rank.
  *
  * In a parallel run the first process reconstructs the whole surface from the whole input; the
  * outputs of the others are empty.

@@ -266,7 +266,7 @@ TEST(Undersampling, ColumnsOfTheTableOfUndecidedPlaces)
       ++settled[static_cast<int>(value(row, "PlaneRank"))];
       EXPECT_TRUE(value(row, "Kind") >= 0 && value(row, "Kind") <= 2);
       EXPECT_TRUE(value(row, "Choice") >= 0 && value(row, "Choice") <= 2);
-      EXPECT_TRUE(value(row, "Choice") == 2 || std::abs(value(row, "Evidence")) < 1.5);
+      EXPECT_TRUE(value(row, "Choice") == 2 || std::abs(value(row, "Evidence")) < 3.0);
       const int axis = static_cast<int>(value(row, "PlaneAxis"));
       ASSERT_TRUE(axis >= 0 && axis <= 2);
       EXPECT_GE(value(row, "PlaneCoordinate"), bounds[2 * axis]);

@@ -5,18 +5,34 @@
 #include "Vectors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace orthoslices
 {
 namespace
 {
-/// Evidence up to which a place is undecided, for or against.
-constexpr double WeakEvidence = 1.5;
+/// Evidence up to which a place is undecided, for or against: less than 95 % certain.
+constexpr double WeakEvidence = 3.0;
+/// Of a place where the slices speak for a join that cannot be made: nothing is known of it.
+constexpr double OfImpossible = 1.0;
 
 struct Box
 {
   Point3 Low, High;
+};
+
+/// Where an interval begins, or ends with negative uncertainty.
+struct End
+{
+  double Coordinate, Uncertainty;
+
+  /// At the same coordinate intervals begin before others end.
+  bool operator<(const End& other) const
+  {
+    return this->Coordinate != other.Coordinate ? this->Coordinate < other.Coordinate
+                                                : this->Uncertainty > other.Uncertainty;
+  }
 };
 
 /// Planes of an axis that settle a place: all with coordinates between the two.
@@ -59,6 +75,8 @@ private:
   void AddIntervals(const CycleJoin& join, const Box& a, const Box& b);
   void AddThroughLoop(Index cycle, const Box& box);
   void AddInterval(int axis, double low, double high);
+  std::vector<End> EndsOn(int axis) const;
+  ProposedPlane FindBest() const;
   bool ProposePlane();
 
   const CycleGeometry& Geometry;
@@ -149,45 +167,59 @@ void Proposer::AddPlace(const CycleJoin& join)
     : join.Chosen                ? UndecidedChoice::Joined
                                  : UndecidedChoice::Separate;
   place.Evidence = join.Evidence;
+  place.Uncertainty = join.Impossible ? OfImpossible : UncertaintyOf(join.Evidence);
   place.PlaneRank = -1;
   this->Result.Places.push_back(place);
   this->AddIntervals(join, a, b);
 }
 
-/// Proposes the plane in most intervals, and takes out the places that it settles.
-bool Proposer::ProposePlane()
+/// The ends of all intervals on an axis, in order.
+std::vector<End> Proposer::EndsOn(int axis) const
 {
-  Index most = 0;
-  ProposedPlane best{ 0, 0.0, 0 };
+  std::vector<End> ends;
+  for (const Interval& interval : this->Intervals)
+  {
+    if (interval.Axis == axis)
+    {
+      const double uncertainty = this->Result.Places[interval.Place].Uncertainty;
+      ends.push_back({ interval.Low, uncertainty });
+      ends.push_back({ interval.High, -uncertainty });
+    }
+  }
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
+/// The plane in the intervals with the greatest sum of uncertainty.
+ProposedPlane Proposer::FindBest() const
+{
+  ProposedPlane best{ 0, 0.0, 0, 0.0 };
   for (int axis = 0; axis < 3; ++axis)
   {
-    // At the same coordinate intervals begin (-1) before others end (1).
-    std::vector<std::pair<double, int>> ends;
-    for (const Interval& interval : this->Intervals)
-    {
-      if (interval.Axis == axis)
-      {
-        ends.emplace_back(interval.Low, -1);
-        ends.emplace_back(interval.High, 1);
-      }
-    }
-    std::sort(ends.begin(), ends.end());
-    Index open = 0;
+    const std::vector<End> ends = this->EndsOn(axis);
+    double open = 0.0;
     for (std::size_t i = 0; i < ends.size(); ++i)
     {
-      open -= ends[i].second;
-      if (open > most)
+      open += ends[i].Uncertainty;
+      // Where one begins, so that what rounding leaves of those that have ended is no plane.
+      if (ends[i].Uncertainty > 0.0 && open > best.Gain)
       {
-        most = open;
-        // Open intervals end somewhere: there is a next one.
-        best = { axis, 0.5 * (ends[i].first + ends[i + 1].first), 0 };
+        // It ends somewhere: there is a next one.
+        best = { axis, 0.5 * (ends[i].Coordinate + ends[i + 1].Coordinate), 0, open };
       }
     }
   }
-  if (most == 0)
+  return best;
+}
+
+/// Proposes the best plane, and takes out the places that it settles.
+bool Proposer::ProposePlane()
+{
+  if (this->Intervals.empty())
   {
     return false;
   }
+  ProposedPlane best = this->FindBest();
   const int rank = static_cast<int>(this->Result.Planes.size());
   for (const Interval& interval : this->Intervals)
   {
@@ -229,6 +261,15 @@ UndecidedPlaces Proposer::Run(const std::vector<CycleJoin>& joins, Index mostPla
     });
   return std::move(this->Result);
 }
+}
+
+double UncertaintyOf(double evidence)
+{
+  // With the probability p = 1 / (1 + exp(-|evidence|)) of what is likelier, -log p is the first
+  // logarithm, and -log(1 - p) is greater by |evidence|. No exponential overflows.
+  const double against = std::exp(-std::abs(evidence));
+  const double nats = std::log1p(against) + std::abs(evidence) * against / (1.0 + against);
+  return nats / std::log(2.0);
 }
 
 UndecidedPlaces FindUndecidedPlaces(

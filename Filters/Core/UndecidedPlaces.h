@@ -29,8 +29,9 @@ struct UndecidedPlace
   Point3 Where; ///< between the two
   UndecidedKind Kind;
   UndecidedChoice Choice;
-  double Evidence; ///< for joining them; see CycleJoin
-  int PlaneRank;   ///< of the proposed plane that settles it, 0 for the best; -1 without one
+  double Evidence;    ///< for joining them; see CycleJoin
+  double Uncertainty; ///< in bits; see FindUndecidedPlaces
+  int PlaneRank;      ///< of the proposed plane that settles it, 0 for the best; -1 without one
 };
 
 /// A slice to be added.
@@ -39,6 +40,7 @@ struct ProposedPlane
   int Axis;
   double Coordinate;
   Index Settles; ///< number of undecided places that are settled by this plane and no better one
+  double Gain;   ///< the sum of their uncertainty
 };
 
 /// By the rank of their planes, then by evidence.
@@ -49,11 +51,19 @@ struct UndecidedPlaces
 };
 
 /**
- * Where to slice next (our own addition). A place counts as undecided if its evidence is weak,
- * or if what was chosen is impossible. It is settled by a slice that passes between two cycles, or
- * through an isolated contour, which gets node points there. The plane that settles most places is
- * proposed first, then the one that settles most of the others, and so on (greedy stabbing of
- * intervals), at most `mostPlanes`.
+ * What a slice tells, in bits, of a place that it settles: the entropy of the probability
+ * p = 1 / (1 + exp(-evidence)) that the two belong together (the weights of the evidence come from
+ * a logistic regression). 1 at evidence 0, 0.69 at 1.5 or -1.5, 0.28 at 3 or -3.
+ */
+double UncertaintyOf(double evidence);
+
+/**
+ * Where to slice next (our own addition). A place counts as undecided if the evidence is less than
+ * 3, for or against (95 % certain), or if what was chosen is impossible, which counts as 1 bit of
+ * uncertainty. It is settled by a slice that passes between two cycles, or through an isolated
+ * contour, which gets node points there. The plane that settles places with the greatest sum of
+ * uncertainty is proposed first, then the one that settles most of the others, and so on (greedy
+ * stabbing of weighted intervals), at most `mostPlanes`.
  */
 UndecidedPlaces FindUndecidedPlaces(
   const CycleGeometry& geometry, const std::vector<CycleJoin>& joins, Index mostPlanes = 1000);
