@@ -5,9 +5,10 @@
  * @brief   how many slices the right topology takes: the proposed ones against finer spacing
  *
  * The table of undecided places says where to slice next. This program does so: it cuts a known
- * surface by few planes, adds the slices that the filter proposes, a few at a time, and counts the
- * planes that it takes until the number of components and the genus are right. Beside it the same
- * for equally spaced planes, one more on each axis at a time.
+ * surface by few planes, adds the slices that the filter proposes, one after another, and counts the
+ * planes that it takes until the number of components and the genus are right for the first time.
+ * Beside it the same for equally spaced planes: half the spacing each time, and one more on each
+ * axis at a time.
  */
 
 #include "CaseFolder.h"
@@ -42,7 +43,7 @@ const char* const Usage = R"(CompareSampling [options]
   --cases A,B      only these cases (default: all that are cut from one surface)
   --start NUMBER   planes on each axis to start with (default 8)
   --most NUMBER    planes on each axis, on average, at which to stop (default 48)
-  --step NUMBER    proposed planes that are added at a time (default 3)
+  --step NUMBER    proposed planes that are added at a time (default 1)
   --curve          also print components and genus after every step
 )";
 
@@ -54,7 +55,7 @@ struct Settings
   std::vector<std::string> Cases;
   int Start = 8;
   int Most = 48;
-  int Step = 3;
+  int Step = 1;
   bool Curve = false;
 };
 
@@ -149,15 +150,17 @@ private:
   vtkNew<vtkOrthogonalSliceReconstruction> Filter;
 };
 
-/// Number of planes with which the topology became right, 0 if it did not.
+/// Number of planes with which the topology became right, 0 if it did not, and the last number tried.
 struct Outcome
 {
   int Planes = 0;
+  int Last = 0;
   std::ostringstream Curve;
 };
 
 void Note(const Planes& planes, const Topology& topology, Outcome& outcome)
 {
+  outcome.Last = Count(planes);
   outcome.Curve << " " << Count(planes) << ":" << topology.Components << "/" << topology.Genus;
 }
 
@@ -181,10 +184,12 @@ void Propose(const Settings& settings, vtkPolyData* truth, const Topology& known
   }
 }
 
-void Refine(const Settings& settings, vtkPolyData* truth, const Topology& known, Outcome& outcome)
+/// Equally spaced planes: FACTOR times as many on each axis each time, and MORE.
+void Refine(const Settings& settings, vtkPolyData* truth, const Topology& known, int factor,
+  int more, Outcome& outcome)
 {
   Trial trial(truth);
-  for (int number = settings.Start; number <= settings.Most; ++number)
+  for (int number = settings.Start; number <= settings.Most; number = factor * number + more)
   {
     const Planes planes = EqualPlanes(truth, number);
     const Topology topology = trial.Run(planes);
@@ -197,9 +202,10 @@ void Refine(const Settings& settings, vtkPolyData* truth, const Topology& known,
   }
 }
 
-std::string Describe(int planes, int most)
+std::string Describe(const Outcome& outcome)
 {
-  return planes > 0 ? std::to_string(planes) : "more than " + std::to_string(3 * most);
+  return outcome.Planes > 0 ? std::to_string(outcome.Planes)
+                            : "more than " + std::to_string(outcome.Last);
 }
 
 Settings Parse(int argc, char* argv[])
@@ -258,22 +264,24 @@ void Compare(const Settings& settings)
                   [](const std::string& name) { return name.compare(0, 4, "lbl_") == 0; }),
       names.end());
   }
-  std::cout << "| case | components / genus | start | proposed slices | equal spacing |\n"
-               "|---|---|---|---|---|\n";
+  std::cout << "| case | components / genus | start | proposed slices | spacing halved | "
+               "equal spacing |\n"
+               "|---|---|---|---|---|---|\n";
   for (const std::string& name : names)
   {
     const auto truth = ReadTruth(settings.Folder, name);
     const Topology known = TopologyOf(truth);
-    Outcome proposed, refined;
+    Outcome proposed, halved, refined;
     Propose(settings, truth, known, proposed);
-    Refine(settings, truth, known, refined);
+    Refine(settings, truth, known, 2, 0, halved);
+    Refine(settings, truth, known, 1, 1, refined);
     std::cout << "| " << name << " | " << known.Components << " / " << known.Genus << " | "
-              << 3 * settings.Start << " | " << Describe(proposed.Planes, settings.Most) << " | "
-              << Describe(refined.Planes, settings.Most) << " |" << std::endl;
+              << 3 * settings.Start << " | " << Describe(proposed) << " | " << Describe(halved)
+              << " | " << Describe(refined) << " |" << std::endl;
     if (settings.Curve)
     {
-      std::cout << "  proposed" << proposed.Curve.str() << "\n  equal" << refined.Curve.str()
-                << std::endl;
+      std::cout << "  proposed" << proposed.Curve.str() << "\n  halved" << halved.Curve.str()
+                << "\n  equal" << refined.Curve.str() << std::endl;
     }
   }
 }
