@@ -209,7 +209,8 @@ bool Grafter::Connect(Index first, Index second)
   }
   std::reverse(to.Curve.Corners.begin(), to.Curve.Corners.end());
   std::reverse(to.Curve.Points.begin(), to.Curve.Points.end());
-  this->Patch.AddTube(from.Curve, to.Curve, RingShare, ArchHeight);
+  this->Patch.AddTube(
+    from.Curve, to.Curve, PairPoints(from.Curve, to.Curve), RingShare, ArchHeight);
   std::replace(this->PartOf.begin(), this->PartOf.end(), b, a);
   PatchTriangles& joined = this->Triangles[a];
   joined.insert(joined.end(), this->Triangles[b].begin(), this->Triangles[b].end());

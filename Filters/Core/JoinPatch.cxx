@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "JoinPatch.h"
 
-#include "TubePatch.h"
 #include "Vectors.h"
 
 #include <algorithm>
@@ -97,24 +96,37 @@ void BridgeAll(const PatchCurve& goal, std::vector<PatchCurve>& curves, TubePatc
 }
 }
 
-PatchMesh BuildJoinedPatch(const CycleGeometry& geometry, const std::vector<Index>& cycles,
-  const std::vector<std::pair<Index, Index>>& joins, double share)
+JoinedPatchBuilder::JoinedPatchBuilder(const CycleGeometry& geometry,
+  const std::vector<Index>& cycles, const std::vector<std::pair<Index, Index>>& joins)
+  : Bridged(geometry, cycles)
 {
-  TubePatch patch(geometry, cycles);
   const std::vector<std::uint8_t> colours = Colour(cycles, joins);
   std::array<std::vector<PatchCurve>, 2> sides;
   for (std::size_t i = 0; i < cycles.size(); ++i)
   {
-    sides[colours[i] == 1 ? 1 : 0].push_back(patch.BorderOf(i));
+    sides[colours[i] == 1 ? 1 : 0].push_back(this->Bridged.BorderOf(i));
   }
   for (int side = 0; side < 2; ++side)
   {
-    BridgeAll(sides[1 - side].front(), sides[side], patch);
+    BridgeAll(sides[1 - side].front(), sides[side], this->Bridged);
   }
-  PatchCurve& back = sides[1].front();
-  std::reverse(back.Corners.begin(), back.Corners.end());
-  std::reverse(back.Points.begin(), back.Points.end());
-  patch.AddTube(sides[0].front(), back, share, HalfCircle);
+  this->First = std::move(sides[0].front());
+  this->Second = std::move(sides[1].front());
+  std::reverse(this->Second.Corners.begin(), this->Second.Corners.end());
+  std::reverse(this->Second.Points.begin(), this->Second.Points.end());
+  this->Pairs = PairPoints(this->First, this->Second);
+}
+
+PatchMesh JoinedPatchBuilder::Build(double share) const
+{
+  TubePatch patch = this->Bridged;
+  patch.AddTube(this->First, this->Second, this->Pairs, share, HalfCircle);
   return std::move(patch.Mesh);
+}
+
+PatchMesh BuildJoinedPatch(const CycleGeometry& geometry, const std::vector<Index>& cycles,
+  const std::vector<std::pair<Index, Index>>& joins, double share)
+{
+  return JoinedPatchBuilder(geometry, cycles, joins).Build(share);
 }
 }

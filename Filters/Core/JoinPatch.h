@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesJoinPatch_h
 #define OrthoSlicesJoinPatch_h
 
-#include "PatchMesh.h"
+#include "TubePatch.h"
 
 namespace orthoslices
 {
@@ -16,6 +16,21 @@ namespace orthoslices
  * touches the boundary of its cell in its cycles only. It may cross itself or others; see
  * FindContacts.
  */
+class JoinedPatchBuilder
+{
+public:
+  JoinedPatchBuilder(const CycleGeometry& geometry, const std::vector<Index>& cycles,
+    const std::vector<std::pair<Index, Index>>& joins);
+  /// What takes time, the pairs, does not depend on the share: another one costs little.
+  PatchMesh Build(double share) const;
+
+private:
+  TubePatch Bridged; ///< without the tube
+  PatchCurve First, Second;
+  std::vector<PointPair> Pairs;
+};
+
+/// The same for one share.
 PatchMesh BuildJoinedPatch(const CycleGeometry& geometry, const std::vector<Index>& cycles,
   const std::vector<std::pair<Index, Index>>& joins, double share);
 }

@@ -3,7 +3,10 @@
 #ifndef OrthoSlicesPatchMesh_h
 #define OrthoSlicesPatchMesh_h
 
+#include "Box.h"
 #include "TraceCycles.h"
+
+#include <set>
 
 namespace orthoslices
 {
@@ -66,15 +69,10 @@ struct PatchTriangle
 {
   PatchTriangle(Index patch, const std::array<Point3, 3>& corners, const std::array<Index, 3>& ids);
 
-  bool BoxMeets(const PatchTriangle& other, int axis) const
-  {
-    return this->Low[axis] <= other.High[axis] && other.Low[axis] <= this->High[axis];
-  }
-
   Index Patch;
   std::array<Point3, 3> Corners;
   std::array<Index, 3> Ids;
-  Point3 Low, High;
+  Box3 Extent;
 };
 
 /// What a patch is, for FindContacts.
@@ -85,13 +83,21 @@ enum class PatchShape : std::uint8_t
   Joined
 };
 
+/// Pairs of patches of which earlier calls of FindContacts have found out that they do not touch.
+struct KnownApart
+{
+  std::vector<Index> Numbers; ///< of the patches of this call; another patch has another number
+  std::set<std::pair<Index, Index>> Pairs; ///< of numbers, ascending
+};
+
 /**
  * Pairs of patches with triangles that do not certainly meet in common corners only; (p, p) for a
  * patch that may touch itself. Ascending, each pair once. Of two fans or shells that touch others
- * it may be left out that they touch each other, too. Sorts the triangles along x.
+ * it may be left out that they touch each other, too. Sorts the triangles along x
+ * and drops some. What is known to be apart is not tested again.
  */
-std::vector<std::pair<Index, Index>> FindContacts(
-  std::vector<PatchTriangle>& triangles, const std::vector<PatchShape>& shapes);
+std::vector<std::pair<Index, Index>> FindContacts(std::vector<PatchTriangle>& triangles,
+  const std::vector<PatchShape>& shapes, KnownApart* known = nullptr);
 }
 
 #endif

@@ -146,22 +146,19 @@ SeparatedPatches ChoosePatches(const Options& options, const std::vector<double>
       FindJoins(geometry, cells, normals, result.Surface.CentralPoints, known, execution);
   }
   const bool atAnyPrice = options.Known.Components > 0 || options.Known.Genus >= 0;
-  SeparatedPatches separated;
-  for (int round = 1; round <= mostRounds; ++round)
+  PatchSeparator separator(
+    geometry, cells, result.Surface.CentralPoints, known.Patches, atAnyPrice);
+  bool done = false;
+  for (int round = 1; round <= mostRounds && !done; ++round)
   {
     // Others may do instead of joins that have turned out to be impossible.
     if (!result.Joins.empty())
     {
       ChooseJoins(geometry, options.Known, result.Joins);
     }
-    separated = SeparatePatches(geometry, cells, result.Surface.CentralPoints, known.Patches,
-      atAnyPrice, execution, result.Joins);
-    if (!separated.Undone)
-    {
-      break;
-    }
+    done = separator.Run(execution, result.Joins);
   }
-  return separated;
+  return separator.Take();
 }
 
 /// Numbers the components of the surface, and counts its handles.

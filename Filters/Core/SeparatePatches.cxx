@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <memory>
 
 namespace orthoslices
 {
@@ -18,6 +20,43 @@ namespace
 constexpr std::array<double, 3> RingShares{ 0.5, 0.3, 0.7 };
 /// Of GraftPatches.
 constexpr std::size_t GraftAttempts = 6;
+/// Forms of patches, above all shapes of a Piece; see PatchStore.
+constexpr std::size_t StitchedForm = 100;
+constexpr std::size_t ShellForm = 101;
+
+/// All patches that a cell has had. What is tried again need not be built and tested again.
+class PatchStore
+{
+public:
+  /// The number of the patch of these cycles or joins that has this form, or -1.
+  Index Find(const std::vector<Index>& of, std::size_t form) const
+  {
+    const auto at = this->Numbers.find({ of, form });
+    return at != this->Numbers.end() ? at->second : -1;
+  }
+  /// The number of a patch. Another one may have had this form before, but with other neighbours.
+  Index Add(const std::vector<Index>& of, std::size_t form, PatchMesh&& mesh);
+
+  PatchMesh& operator[](Index number) { return this->Meshes[number]; }
+
+private:
+  std::map<std::pair<std::vector<Index>, std::size_t>, Index> Numbers;
+  std::vector<PatchMesh> Meshes;
+};
+
+Index PatchStore::Add(const std::vector<Index>& of, std::size_t form, PatchMesh&& mesh)
+{
+  const Index before = this->Find(of, form);
+  if (before >= 0 && this->Meshes[before].Points == mesh.Points &&
+    this->Meshes[before].Triangles == mesh.Triangles)
+  {
+    return before;
+  }
+  this->Meshes.push_back(std::move(mesh));
+  const Index number = static_cast<Index>(this->Meshes.size()) - 1;
+  this->Numbers[{ of, form }] = number;
+  return number;
+}
 
 /// A patch on its way: cycles, what bounds them together, and which shape it has now.
 struct Piece
@@ -27,8 +66,10 @@ struct Piece
   std::size_t Shape = 0; ///< the number of those that were tried before; see below
   double Evidence = std::numeric_limits<double>::infinity(); ///< the least of its joins
 
-  bool Stitched = false;      ///< it has the patch that StitchSlabs made
-  bool KeepsStitched = false; ///< StitchSlabs made a patch of some of its cycles
+  bool Stitched = false;                       ///< it has the patch that StitchSlabs made
+  bool KeepsStitched = false;                  ///< StitchSlabs made a patch of some of its cycles
+  Index Mesh = -1;                             ///< number of its patch, which is empty for a fan
+  std::shared_ptr<JoinedPatchBuilder> Builder; ///< once it is needed
 
   /// Discs are fans at first, then shells. Joined patches are grafted, if that keeps what StitchSlabs
   /// made, have a ring at each of the RingShares, are grafted then, and are shells at last.
@@ -57,63 +98,94 @@ struct Piece
   }
 };
 
+/// What the patches of all cells are made from.
+struct PatchSource
+{
+  const CycleGeometry& Geometry;
+  const std::vector<double>& CentralPoints;
+  const std::vector<PatchMesh>& Stitched;
+  bool MayShell; ///< joined patches, too
+};
+}
+
 /// The patches of one cell.
-class CellPatches
+class PatchSeparator::CellPatches
 {
 public:
-  CellPatches(const CycleGeometry& geometry, const std::vector<double>& centralPoints,
-    const std::vector<PatchMesh>& stitched, bool mayShell)
-    : Geometry(geometry)
-    , CentralPoints(centralPoints)
-    , StitchedPatches(stitched)
-    , MayShell(mayShell)
+  CellPatches(const Index* first, const Index* last, std::size_t firstJoin, std::size_t lastJoin)
+    : First(first)
+    , Last(last)
+    , FirstJoin(firstJoin)
+    , LastJoin(lastJoin)
   {
   }
 
-  void Run(const Index* first, const Index* last, CycleJoin* firstJoin, CycleJoin* lastJoin,
-    SeparatedPatches& result);
+  void Run(const PatchSource& source, std::vector<CycleJoin>& joins);
+  bool IsUndone() const { return this->Undone; }
+  void MoveTo(SeparatedPatches& result);
 
 private:
-  void Group(CycleJoin* firstJoin, CycleJoin* lastJoin);
+  bool UpdateChosen(const std::vector<CycleJoin>& joins);
+  void Group(std::vector<CycleJoin>& joins);
   const PatchMesh* FindStitched(const std::vector<Index>& cycles) const;
   std::vector<PatchMesh> FindStitchedParts(const std::vector<Index>& cycles) const;
   void ChooseStitched(Piece& piece) const;
   PatchMesh Graft(const Piece& piece) const;
   void Build(Index index);
+  void BuildShell(Index index);
+  void BuildJoined(Piece& piece);
   std::vector<PatchTriangle> ListTriangles();
   void AddFan(Index piece, Index& firstId, std::vector<PatchTriangle>& triangles);
   void AddMesh(Index piece, Index& firstId, std::vector<PatchTriangle>& triangles);
+  std::vector<std::pair<Index, Index>> Test();
   bool Change(const std::vector<std::pair<Index, Index>>& contacts);
   Index PieceToChange(Index a, Index b) const;
   void Undo(Index piece);
 
-  const CycleGeometry& Geometry;
-  const std::vector<double>& CentralPoints;
-  const std::vector<PatchMesh>& StitchedPatches;
-  bool MayShell; ///< joined patches, too
-  const Index* First = nullptr;
-  const Index* Last = nullptr;
+  const PatchSource* Source = nullptr;
+  const Index* First; ///< of its cycles
+  const Index* Last;
+  std::size_t FirstJoin, LastJoin;
+  const CycleJoin* Joins = nullptr; ///< of all cells
+  bool IsBuilt = false;
+  std::vector<Index> Chosen; ///< the joins from which the patches were built
   std::vector<Piece> Pieces;
-  std::vector<PatchMesh> Meshes;         ///< of each piece; empty for fans
+  PatchStore Store;
+  KnownApart Apart;
   std::vector<PatchMesh> Shells;         ///< of each piece, once they are needed
   std::vector<std::uint8_t> HasNoAreaIn; ///< pieces with a triangle without area
   std::vector<Index> Border, NodePlaces;
   bool Undone = false;
+  bool Unresolved = false;
 };
 
+/// False if the joins are the same as before.
+bool PatchSeparator::CellPatches::UpdateChosen(const std::vector<CycleJoin>& joins)
+{
+  std::vector<Index> chosen;
+  for (std::size_t i = this->FirstJoin; i < this->LastJoin; ++i)
+  {
+    if (joins[i].Chosen)
+    {
+      chosen.push_back(static_cast<Index>(i));
+    }
+  }
+  const bool changed = !this->IsBuilt || chosen != this->Chosen;
+  this->Chosen.swap(chosen);
+  this->IsBuilt = true;
+  return changed;
+}
+
 /// Cycles that are joined become one piece.
-void CellPatches::Group(CycleJoin* firstJoin, CycleJoin* lastJoin)
+void PatchSeparator::CellPatches::Group(std::vector<CycleJoin>& joins)
 {
   const Index count = static_cast<Index>(this->Last - this->First);
   DisjointSets sets(count);
   const auto placeOf = [&](Index cycle)
   { return static_cast<Index>(std::lower_bound(this->First, this->Last, cycle) - this->First); };
-  for (CycleJoin* join = firstJoin; join != lastJoin; ++join)
+  for (const Index i : this->Chosen)
   {
-    if (join->Chosen)
-    {
-      sets.Unite(placeOf(join->First), placeOf(join->Second));
-    }
+    sets.Unite(placeOf(joins[i].First), placeOf(joins[i].Second));
   }
   std::vector<Index> pieceOf(count);
   for (Index i = 0; i < count; ++i)
@@ -127,36 +199,36 @@ void CellPatches::Group(CycleJoin* firstJoin, CycleJoin* lastJoin)
     pieceOf[i] = pieceOf[root];
     this->Pieces[pieceOf[i]].Cycles.push_back(this->First[i]);
   }
-  for (CycleJoin* join = firstJoin; join != lastJoin; ++join)
+  for (const Index i : this->Chosen)
   {
-    if (join->Chosen)
-    {
-      Piece& piece = this->Pieces[pieceOf[placeOf(join->First)]];
-      piece.Joins.push_back(join);
-      piece.Evidence = std::min(piece.Evidence, join->Evidence);
-    }
+    Piece& piece = this->Pieces[pieceOf[placeOf(joins[i].First)]];
+    piece.Joins.push_back(&joins[i]);
+    piece.Evidence = std::min(piece.Evidence, joins[i].Evidence);
   }
 }
 
 /// The patch that StitchSlabs made of these cycles, or null.
-const PatchMesh* CellPatches::FindStitched(const std::vector<Index>& cycles) const
+const PatchMesh* PatchSeparator::CellPatches::FindStitched(const std::vector<Index>& cycles) const
 {
-  const auto at = std::lower_bound(this->StitchedPatches.begin(), this->StitchedPatches.end(),
-    cycles.front(), [](const PatchMesh& m, Index cycle) { return m.Cycles.front() < cycle; });
-  return at != this->StitchedPatches.end() && at->Cycles == cycles ? &*at : nullptr;
+  const std::vector<PatchMesh>& stitched = this->Source->Stitched;
+  const auto at = std::lower_bound(stitched.begin(), stitched.end(), cycles.front(),
+    [](const PatchMesh& m, Index cycle) { return m.Cycles.front() < cycle; });
+  return at != stitched.end() && at->Cycles == cycles ? &*at : nullptr;
 }
 
 /// The patches that StitchSlabs made of some of these cycles; of a single one, the longest, only if
 /// there are no others.
-std::vector<PatchMesh> CellPatches::FindStitchedParts(const std::vector<Index>& cycles) const
+std::vector<PatchMesh> PatchSeparator::CellPatches::FindStitchedParts(
+  const std::vector<Index>& cycles) const
 {
+  const std::vector<PatchMesh>& stitched = this->Source->Stitched;
   std::vector<PatchMesh> parts;
   std::vector<PatchMesh> lid;
   for (const Index cycle : cycles)
   {
-    const auto at = std::lower_bound(this->StitchedPatches.begin(), this->StitchedPatches.end(),
-      cycle, [](const PatchMesh& m, Index front) { return m.Cycles.front() < front; });
-    if (at != this->StitchedPatches.end() && at->Cycles.front() == cycle &&
+    const auto at = std::lower_bound(stitched.begin(), stitched.end(), cycle,
+      [](const PatchMesh& m, Index front) { return m.Cycles.front() < front; });
+    if (at != stitched.end() && at->Cycles.front() == cycle &&
       std::includes(cycles.begin(), cycles.end(), at->Cycles.begin(), at->Cycles.end()))
     {
       const bool isLid = at->Cycles.size() == 1;
@@ -173,14 +245,14 @@ std::vector<PatchMesh> CellPatches::FindStitchedParts(const std::vector<Index>& 
   return parts.empty() ? lid : parts;
 }
 
-void CellPatches::ChooseStitched(Piece& piece) const
+void PatchSeparator::CellPatches::ChooseStitched(Piece& piece) const
 {
   piece.Stitched = this->FindStitched(piece.Cycles) != nullptr;
   piece.KeepsStitched = !piece.Stitched && !this->FindStitchedParts(piece.Cycles).empty();
 }
 
 /// What StitchSlabs made, tubes by the best of the other joins, and thin tubes by the rest.
-PatchMesh CellPatches::Graft(const Piece& piece) const
+PatchMesh PatchSeparator::CellPatches::Graft(const Piece& piece) const
 {
   std::vector<PatchMesh> parts = this->FindStitchedParts(piece.Cycles);
   DisjointSets known(static_cast<Index>(piece.Cycles.size()));
@@ -207,7 +279,7 @@ PatchMesh CellPatches::Graft(const Piece& piece) const
     if (hasPatch[placeOf(join->First)] == 0 && hasPatch[placeOf(join->Second)] == 0)
     {
       const auto pair = std::minmax(join->First, join->Second);
-      parts.push_back(BuildJoinedPatch(this->Geometry, { pair.first, pair.second },
+      parts.push_back(BuildJoinedPatch(this->Source->Geometry, { pair.first, pair.second },
         { { join->First, join->Second } }, RingShares.front()));
       addCycles(parts.back());
     }
@@ -227,71 +299,98 @@ PatchMesh CellPatches::Graft(const Piece& piece) const
       grafts.emplace_back(join->First, join->Second);
     }
   }
-  return GraftPatches(this->Geometry, parts, grafts, piece.GraftAttempt());
+  return GraftPatches(this->Source->Geometry, parts, grafts, piece.GraftAttempt());
 }
 
-void CellPatches::Build(Index index)
+void PatchSeparator::CellPatches::Build(Index index)
 {
-  const Piece& piece = this->Pieces[index];
-  PatchMesh& mesh = this->Meshes[index];
-  if (piece.Stitched)
-  {
-    mesh = *this->FindStitched(piece.Cycles);
-    return;
-  }
-  if (piece.IsFan())
-  {
-    mesh = PatchMesh();
-    return;
-  }
+  Piece& piece = this->Pieces[index];
   if (piece.IsShell())
   {
-    if (this->Shells.empty())
-    {
-      std::vector<std::vector<Index>> groups;
-      for (const Piece& each : this->Pieces)
-      {
-        groups.push_back(each.Cycles);
-      }
-      this->Shells = BuildShells(this->Geometry, this->First, this->Last, groups);
-    }
-    mesh = this->Shells[index];
+    this->BuildShell(index);
     return;
   }
-  if (piece.IsGrafted())
+  if (!piece.Joins.empty() && !piece.Stitched)
   {
-    mesh = this->Graft(piece);
+    this->BuildJoined(piece);
     return;
   }
+  const std::size_t form = piece.Stitched ? StitchedForm : 0;
+  piece.Mesh = this->Store.Find(piece.Cycles, form);
+  if (piece.Mesh < 0)
+  {
+    piece.Mesh = this->Store.Add(piece.Cycles, form,
+      piece.Stitched ? PatchMesh(*this->FindStitched(piece.Cycles)) : PatchMesh());
+  }
+}
+
+/// Shells depend on all pieces of the cell.
+void PatchSeparator::CellPatches::BuildShell(Index index)
+{
+  if (this->Shells.empty())
+  {
+    std::vector<std::vector<Index>> groups;
+    for (const Piece& each : this->Pieces)
+    {
+      groups.push_back(each.Cycles);
+    }
+    this->Shells = BuildShells(this->Source->Geometry, this->First, this->Last, groups);
+  }
+  Piece& piece = this->Pieces[index];
+  piece.Mesh = this->Store.Add(piece.Cycles, ShellForm, PatchMesh(this->Shells[index]));
+}
+
+void PatchSeparator::CellPatches::BuildJoined(Piece& piece)
+{
+  std::vector<Index> of;
   std::vector<std::pair<Index, Index>> pairs;
   for (const CycleJoin* join : piece.Joins)
   {
+    of.push_back(static_cast<Index>(join - this->Joins));
     pairs.emplace_back(join->First, join->Second);
   }
-  mesh = BuildJoinedPatch(this->Geometry, piece.Cycles, pairs, piece.RingShare());
+  // Numbers of joins, unlike those of cycles: forms from 1.
+  const std::size_t form = 1 + piece.Shape;
+  piece.Mesh = this->Store.Find(of, form);
+  if (piece.Mesh < 0)
+  {
+    if (piece.IsGrafted())
+    {
+      piece.Mesh = this->Store.Add(of, form, this->Graft(piece));
+      return;
+    }
+    if (!piece.Builder)
+    {
+      piece.Builder =
+        std::make_shared<JoinedPatchBuilder>(this->Source->Geometry, piece.Cycles, pairs);
+    }
+    piece.Mesh = this->Store.Add(of, form, piece.Builder->Build(piece.RingShare()));
+  }
 }
 
-void CellPatches::AddFan(Index piece, Index& firstId, std::vector<PatchTriangle>& triangles)
+void PatchSeparator::CellPatches::AddFan(
+  Index piece, Index& firstId, std::vector<PatchTriangle>& triangles)
 {
   const Index cycle = this->Pieces[piece].Cycles.front();
-  this->Geometry.GetBoundary(cycle, this->Border, this->NodePlaces);
-  const double* c = this->CentralPoints.data() + 3 * static_cast<std::size_t>(cycle);
+  this->Source->Geometry.GetBoundary(cycle, this->Border, this->NodePlaces);
+  const double* c = this->Source->CentralPoints.data() + 3 * static_cast<std::size_t>(cycle);
   const Point3 center{ c[0], c[1], c[2] };
   --firstId;
   for (std::size_t i = 0; i < this->Border.size(); ++i)
   {
     const Index a = this->Border[i];
     const Index b = this->Border[(i + 1) % this->Border.size()];
-    triangles.push_back(
-      { piece, { center, this->Geometry.Graph.PointAt(a), this->Geometry.Graph.PointAt(b) },
-        { firstId, a, b } });
+    triangles.push_back({ piece,
+      { center, this->Source->Geometry.Graph.PointAt(a), this->Source->Geometry.Graph.PointAt(b) },
+      { firstId, a, b } });
   }
 }
 
-void CellPatches::AddMesh(Index piece, Index& firstId, std::vector<PatchTriangle>& triangles)
+void PatchSeparator::CellPatches::AddMesh(
+  Index piece, Index& firstId, std::vector<PatchTriangle>& triangles)
 {
-  const PatchMesh& mesh = this->Meshes[piece];
-  const std::vector<Index> borders = this->Geometry.GetBorders(mesh.Cycles);
+  const PatchMesh& mesh = this->Store[this->Pieces[piece].Mesh];
+  const std::vector<Index> borders = this->Source->Geometry.GetBorders(mesh.Cycles);
   for (const auto& triangle : mesh.Triangles)
   {
     std::array<Point3, 3> corners;
@@ -300,7 +399,7 @@ void CellPatches::AddMesh(Index piece, Index& firstId, std::vector<PatchTriangle
     {
       const Index place = triangle[i];
       corners[i] =
-        place >= 0 ? this->Geometry.Graph.PointAt(borders[place]) : mesh.Points[-1 - place];
+        place >= 0 ? this->Source->Geometry.Graph.PointAt(borders[place]) : mesh.Points[-1 - place];
       ids[i] = place >= 0 ? borders[place] : firstId + place;
     }
     if (HasNoArea(corners))
@@ -313,7 +412,7 @@ void CellPatches::AddMesh(Index piece, Index& firstId, std::vector<PatchTriangle
 }
 
 /// Points of G by their numbers, others by numbers below zero.
-std::vector<PatchTriangle> CellPatches::ListTriangles()
+std::vector<PatchTriangle> PatchSeparator::CellPatches::ListTriangles()
 {
   std::vector<PatchTriangle> triangles;
   this->HasNoAreaIn.assign(this->Pieces.size(), 0);
@@ -328,7 +427,7 @@ std::vector<PatchTriangle> CellPatches::ListTriangles()
 }
 
 /// Takes the join with the least evidence out of a joined patch. The parts are tried anew.
-void CellPatches::Undo(Index index)
+void PatchSeparator::CellPatches::Undo(Index index)
 {
   const Piece piece = this->Pieces[index];
   CycleJoin* weakest = *std::min_element(piece.Joins.begin(), piece.Joins.end(),
@@ -370,11 +469,10 @@ void CellPatches::Undo(Index index)
   }
   this->Pieces[index] = parts[0];
   this->Pieces.push_back(parts[1]);
-  this->Meshes.emplace_back();
 }
 
 /// Which of two pieces that touch is in the wrong; both, if they are discs: -1.
-Index CellPatches::PieceToChange(Index a, Index b) const
+Index PatchSeparator::CellPatches::PieceToChange(Index a, Index b) const
 {
   const Piece& first = this->Pieces[a];
   const Piece& second = this->Pieces[b];
@@ -391,7 +489,7 @@ Index CellPatches::PieceToChange(Index a, Index b) const
 }
 
 /// Changes what is in the way. False if there are only shells of discs left.
-bool CellPatches::Change(const std::vector<std::pair<Index, Index>>& contacts)
+bool PatchSeparator::CellPatches::Change(const std::vector<std::pair<Index, Index>>& contacts)
 {
   std::vector<std::uint8_t> change(this->Pieces.size(), 0);
   for (const auto& contact : contacts)
@@ -415,7 +513,7 @@ bool CellPatches::Change(const std::vector<std::pair<Index, Index>>& contacts)
       continue;
     }
     any = true;
-    const bool isLast = !this->MayShell && !this->Pieces[i].Joins.empty() &&
+    const bool isLast = !this->Source->MayShell && !this->Pieces[i].Joins.empty() &&
       !this->Pieces[i].Stitched && this->Pieces[i].NextShape() == this->Pieces[i].LastShape();
     if (this->Pieces[i].IsShell() || isLast)
     {
@@ -442,104 +540,137 @@ bool CellPatches::Change(const std::vector<std::pair<Index, Index>>& contacts)
   return any;
 }
 
-void CellPatches::Run(const Index* first, const Index* last, CycleJoin* firstJoin,
-  CycleJoin* lastJoin, SeparatedPatches& result)
+/// Pieces that are in the way of each other, or, named twice, wrong in themselves.
+std::vector<std::pair<Index, Index>> PatchSeparator::CellPatches::Test()
 {
-  this->First = first;
-  this->Last = last;
+  std::vector<PatchTriangle> triangles = this->ListTriangles();
+  std::vector<PatchShape> shapes;
+  this->Apart.Numbers.clear();
+  for (const Piece& piece : this->Pieces)
+  {
+    shapes.push_back(piece.IsFan() ? PatchShape::Fan
+        : piece.IsShell()          ? PatchShape::Shell
+                                   : PatchShape::Joined);
+    this->Apart.Numbers.push_back(piece.Mesh);
+  }
+  std::vector<std::pair<Index, Index>> contacts = FindContacts(triangles, shapes, &this->Apart);
+  for (std::size_t i = 0; i < this->Pieces.size(); ++i)
+  {
+    // What has no triangles was not possible.
+    if (this->HasNoAreaIn[i] != 0 ||
+      (!this->Pieces[i].IsFan() && this->Store[this->Pieces[i].Mesh].Triangles.empty()))
+    {
+      contacts.emplace_back(static_cast<Index>(i), static_cast<Index>(i));
+    }
+  }
+  return contacts;
+}
+
+void PatchSeparator::CellPatches::Run(const PatchSource& source, std::vector<CycleJoin>& joins)
+{
+  this->Undone = false;
+  if (!this->UpdateChosen(joins))
+  {
+    return;
+  }
+  this->Source = &source;
+  this->Joins = joins.data();
+  this->Unresolved = false;
   this->Pieces.clear();
   this->Shells.clear();
-  this->Undone = false;
-  this->Group(firstJoin, lastJoin);
-  this->Meshes.assign(this->Pieces.size(), PatchMesh());
+  this->Group(joins);
   for (std::size_t i = 0; i < this->Pieces.size(); ++i)
   {
     this->ChooseStitched(this->Pieces[i]);
     this->Build(static_cast<Index>(i));
   }
-  while (true)
+  for (auto contacts = this->Test(); !contacts.empty(); contacts = this->Test())
   {
-    std::vector<PatchTriangle> triangles = this->ListTriangles();
-    std::vector<PatchShape> shapes;
-    for (const Piece& piece : this->Pieces)
-    {
-      shapes.push_back(piece.IsFan() ? PatchShape::Fan
-          : piece.IsShell()          ? PatchShape::Shell
-                                     : PatchShape::Joined);
-    }
-    std::vector<std::pair<Index, Index>> contacts = FindContacts(triangles, shapes);
-    for (std::size_t i = 0; i < this->Pieces.size(); ++i)
-    {
-      // What has no triangles was not possible.
-      if (this->HasNoAreaIn[i] != 0 ||
-        (!this->Pieces[i].IsFan() && this->Meshes[i].Triangles.empty()))
-      {
-        contacts.emplace_back(static_cast<Index>(i), static_cast<Index>(i));
-      }
-    }
-    if (contacts.empty())
-    {
-      break;
-    }
     if (!this->Change(contacts))
     {
-      result.Unresolved.insert(result.Unresolved.end(), first, last);
+      this->Unresolved = true;
       break;
     }
   }
-  for (PatchMesh& mesh : this->Meshes)
+}
+
+void PatchSeparator::CellPatches::MoveTo(SeparatedPatches& result)
+{
+  for (const Piece& piece : this->Pieces)
   {
+    PatchMesh& mesh = this->Store[piece.Mesh];
     if (!mesh.Cycles.empty())
     {
       result.Meshes.push_back(std::move(mesh));
     }
   }
-  result.Undone |= this->Undone;
-}
+  if (this->Unresolved)
+  {
+    result.Unresolved.insert(result.Unresolved.end(), this->First, this->Last);
+  }
 }
 
-SeparatedPatches SeparatePatches(const CycleGeometry& geometry, const CellGroups& cells,
-  const std::vector<double>& centralPoints, const std::vector<PatchMesh>& stitched, bool atAnyPrice,
-  const Execution& execution, std::vector<CycleJoin>& joins)
+PatchSeparator::PatchSeparator(const CycleGeometry& geometry, const CellGroups& cells,
+  const std::vector<double>& centralPoints, const std::vector<PatchMesh>& stitched, bool atAnyPrice)
+  : Geometry(geometry)
+  , Groups(cells)
+  , CentralPoints(centralPoints)
+  , Stitched(stitched)
 {
   const SpatialGrid& grid = geometry.Grid;
   const int open =
     (grid.Count(0) == 0 ? 1 : 0) + (grid.Count(1) == 0 ? 1 : 0) + (grid.Count(2) == 0 ? 1 : 0);
-  const bool mayShell = atAnyPrice || open < 2;
-  // The joins of each cell, which are in the same order.
-  std::vector<std::pair<std::size_t, std::size_t>> joinsOf(cells.Several.size());
+  this->MayShell = atAnyPrice || open < 2;
+}
+
+PatchSeparator::~PatchSeparator() = default;
+
+/// The joins of the cells are in the same order as these.
+void PatchSeparator::ListCells(const std::vector<CycleJoin>& joins)
+{
+  const Cycles& polygons = this->Geometry.Polygons;
   std::size_t next = 0;
-  for (std::size_t i = 0; i < joinsOf.size(); ++i)
+  for (const auto& range : this->Groups.Several)
   {
-    const auto& cell = geometry.Polygons.Cell[cells.Cycles[cells.Several[i].first]];
-    joinsOf[i].first = next;
-    while (next < joins.size() && geometry.Polygons.Cell[joins[next].First] == cell)
+    const Index* cycles = this->Groups.Cycles.data();
+    const auto& cell = polygons.Cell[cycles[range.first]];
+    const std::size_t firstJoin = next;
+    while (next < joins.size() && polygons.Cell[joins[next].First] == cell)
     {
       ++next;
     }
-    joinsOf[i].second = next;
+    this->Cells.emplace_back(cycles + range.first, cycles + range.second, firstJoin, next);
   }
-  std::vector<SeparatedPatches> found(cells.Several.size());
-  execution.For(found.size(),
+}
+
+bool PatchSeparator::Run(const Execution& execution, std::vector<CycleJoin>& joins)
+{
+  if (this->Cells.empty())
+  {
+    this->ListCells(joins);
+  }
+  const PatchSource source{ this->Geometry, this->CentralPoints, this->Stitched, this->MayShell };
+  execution.For(this->Cells.size(),
     [&](std::size_t begin, std::size_t end)
     {
-      CellPatches cell(geometry, centralPoints, stitched, mayShell);
       for (std::size_t i = begin; i < end; ++i)
       {
-        cell.Run(cells.Cycles.data() + cells.Several[i].first,
-          cells.Cycles.data() + cells.Several[i].second, joins.data() + joinsOf[i].first,
-          joins.data() + joinsOf[i].second, found[i]);
+        this->Cells[i].Run(source, joins);
       }
     });
+  return std::none_of(this->Cells.begin(), this->Cells.end(),
+    [](const CellPatches& cell) { return cell.IsUndone(); });
+}
+
+SeparatedPatches PatchSeparator::Take()
+{
   SeparatedPatches result;
-  result.SharedCells = static_cast<Index>(found.size());
-  for (SeparatedPatches& part : found)
+  result.SharedCells = static_cast<Index>(this->Cells.size());
+  for (CellPatches& cell : this->Cells)
   {
-    std::move(part.Meshes.begin(), part.Meshes.end(), std::back_inserter(result.Meshes));
-    result.Unresolved.insert(
-      result.Unresolved.end(), part.Unresolved.begin(), part.Unresolved.end());
-    result.Undone |= part.Undone;
+    cell.MoveTo(result);
   }
+  this->Cells.clear();
   std::sort(result.Meshes.begin(), result.Meshes.end(),
     [](const PatchMesh& a, const PatchMesh& b) { return a.Cycles.front() < b.Cycles.front(); });
   return result;

@@ -13,7 +13,6 @@ struct SeparatedPatches
   Index SharedCells = 0; ///< cells with several cycles
   std::vector<PatchMesh> Meshes;
   std::vector<Index> Unresolved; ///< cycles of the cells in which patches may still touch
-  bool Undone = false;           ///< a join turned out to be impossible
 };
 
 /**
@@ -31,9 +30,34 @@ struct SeparatedPatches
  * Only rounding can spoil that, where arcs lie closer together than it moves the copies. Such
  * cells are unresolved: EmbedArcs has to draw their arcs anew.
  */
-SeparatedPatches SeparatePatches(const CycleGeometry& geometry, const CellGroups& cells,
-  const std::vector<double>& centralPoints, const std::vector<PatchMesh>& stitched, bool atAnyPrice,
-  const Execution& execution, std::vector<CycleJoin>& joins);
+class PatchSeparator
+{
+public:
+  /// Keeps the addresses of all that it is given. `cells` are those of all cycles.
+  PatchSeparator(const CycleGeometry& geometry, const CellGroups& cells,
+    const std::vector<double>& centralPoints, const std::vector<PatchMesh>& stitched,
+    bool atAnyPrice);
+  ~PatchSeparator();
+
+  /**
+   * Builds the patches for the joins that are chosen; false if one of them was undone. Others may be
+   * chosen then. When it is run again, only cells with other joins than before are built anew.
+   */
+  bool Run(const Execution& execution, std::vector<CycleJoin>& joins);
+  /// What was built last.
+  SeparatedPatches Take();
+
+private:
+  class CellPatches;
+  void ListCells(const std::vector<CycleJoin>& joins);
+
+  const CycleGeometry& Geometry;
+  const CellGroups& Groups;
+  const std::vector<double>& CentralPoints;
+  const std::vector<PatchMesh>& Stitched;
+  bool MayShell; ///< joined patches, too
+  std::vector<CellPatches> Cells;
+};
 }
 
 #endif

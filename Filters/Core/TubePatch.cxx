@@ -51,10 +51,8 @@ std::vector<PointPair> PairByLength(
   return pairs;
 }
 
-/**
- * Pairs along both curves, the second one backwards, from their nearest points around to them again:
- * from each pair to the next, one or both points advance. Least sum of squared distances.
- */
+}
+
 std::vector<PointPair> PairPoints(const PatchCurve& a, const PatchCurve& b)
 {
   PointPair start;
@@ -123,7 +121,6 @@ std::vector<PointPair> PairPoints(const PatchCurve& a, const PatchCurve& b)
   }
   std::reverse(pairs.begin(), pairs.end());
   return pairs;
-}
 }
 
 PointPair FindNearestOnBorders(const PatchCurve& a, const PatchCurve& b)
@@ -212,9 +209,9 @@ Point3 TubePatch::Arch(const Point3& from, const Point3& to, Point3 between, dou
   return between;
 }
 
-void TubePatch::AddTube(const PatchCurve& a, const PatchCurve& b, double share, double archHeight)
+void TubePatch::AddTube(const PatchCurve& a, const PatchCurve& b,
+  const std::vector<PointPair>& pairs, double share, double archHeight)
 {
-  const std::vector<PointPair> pairs = PairPoints(a, b);
   std::vector<Index> ring;
   for (std::size_t k = 0; k + 1 < pairs.size(); ++k)
   {

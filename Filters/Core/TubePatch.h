@@ -29,10 +29,16 @@ struct PointPair
 PointPair FindNearestOnBorders(const PatchCurve& a, const PatchCurve& b);
 
 /**
+ * Pairs along both curves, the second one backwards, from their nearest points around to them again:
+ * from each pair to the next, one or both points advance. Least sum of squared distances, by
+ * dynamic time warping (H. Sakoe and S. Chiba, 1978).
+ */
+std::vector<PointPair> PairPoints(const PatchCurve& a, const PatchCurve& b);
+
+/**
  * Builds a patch of a cell from tubes between closed curves (our own addition).
  *
- * Points of the two curves are paired by dynamic time warping (H. Sakoe and S. Chiba, 1978), and a
- * ring of new points, the `share` of the way from one curve to the other and strictly inside the
+ * Between the paired points of the two curves a ring of new points, the `share` of the way from one curve to the other and strictly inside the
  * cell, is joined to both. Between points of one face it forms an arch. Every triangle has a corner
  * on the ring, so that the tube touches the boundary of its cell in the two curves only.
  */
@@ -44,9 +50,10 @@ public:
 
   /// A new corner, moved strictly into the cell.
   Index AddPoint(const Point3& point);
-  /// Makes the tube between two curves; the second one runs backwards. Arches are as high as this
-  /// part of the distance that they bridge.
-  void AddTube(const PatchCurve& a, const PatchCurve& b, double share, double archHeight);
+  /// Makes the tube between two curves that are paired; the second one runs backwards. Arches are as
+  /// high as this part of the distance that they bridge.
+  void AddTube(const PatchCurve& a, const PatchCurve& b, const std::vector<PointPair>& pairs,
+    double share, double archHeight);
 
   /// The border of the cycle at this place in the list.
   PatchCurve BorderOf(std::size_t cycle) const;

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesBox_h
+#define OrthoSlicesBox_h
+
+#include "Vectors.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace orthoslices
+{
+/// The least box along the axes around points; at first it is empty.
+struct Box3
+{
+  Point3 Low{ Infinity, Infinity, Infinity };
+  Point3 High{ -Infinity, -Infinity, -Infinity };
+
+  void Add(int axis, double x)
+  {
+    this->Low[axis] = std::min(this->Low[axis], x);
+    this->High[axis] = std::max(this->High[axis], x);
+  }
+  void Add(const Point3& point)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Add(axis, point[axis]);
+    }
+  }
+  void Add(const Box3& other)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Low[axis] = std::min(this->Low[axis], other.Low[axis]);
+      this->High[axis] = std::max(this->High[axis], other.High[axis]);
+    }
+  }
+  /// Whether they have a point in common along one axis.
+  bool Meets(const Box3& other, int axis) const
+  {
+    return this->Low[axis] <= other.High[axis] && other.Low[axis] <= this->High[axis];
+  }
+  bool Meets(const Box3& other) const
+  {
+    return this->Meets(other, 0) && this->Meets(other, 1) && this->Meets(other, 2);
+  }
+  /// Not finite if the box is empty.
+  double Diagonal() const { return Length(this->High - this->Low); }
+
+private:
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
+};
+}
+
+#endif
