@@ -46,7 +46,11 @@ struct Box3
     return this->Meets(other, 0) && this->Meets(other, 1) && this->Meets(other, 2);
   }
   /// Not finite if the box is empty.
-  double Diagonal() const { return Length(this->High - this->Low); }
+  double Diagonal() const
+  {
+    const Point3 d = this->High - this->Low;
+    return std::hypot(d[0], d[1], d[2]);
+  }
 
 private:
   static constexpr double Infinity = std::numeric_limits<double>::infinity();

@@ -3,7 +3,6 @@
 #include "CellRegion.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 namespace orthoslices
@@ -98,26 +97,19 @@ CellRegion CellRegions::Describe(Index cycle) const
 
 void CellRegions::SetExtent(const std::vector<CellRegion>& regions)
 {
-  Point3 least, most;
-  least.fill(std::numeric_limits<double>::infinity());
-  most.fill(-std::numeric_limits<double>::infinity());
+  Box3 box;
   for (const CellRegion& region : regions)
   {
     for (const Index point : region.Border)
     {
-      const Point3 p = this->Geometry.Graph.PointAt(point);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        least[axis] = std::min(least[axis], p[axis]);
-        most[axis] = std::max(most[axis], p[axis]);
-      }
+      box.Add(this->Geometry.Graph.PointAt(point));
     }
   }
   const auto& cell = this->Geometry.Polygons.Cell[regions.front().Cycles.front()];
   for (int axis = 0; axis < 3; ++axis)
   {
     this->Geometry.Grid.GetExtent(
-      axis, cell[axis], least[axis], most[axis], this->Low[axis], this->High[axis]);
+      axis, cell[axis], box.Low[axis], box.High[axis], this->Low[axis], this->High[axis]);
   }
 }
 

@@ -3,9 +3,9 @@
 #include "Reconstruct.h"
 
 #include "AssembleContours.h"
+#include "Box.h"
 #include "SeparatePatches.h"
 #include "SmallComponents.h"
-#include "Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +22,7 @@ namespace
 /// Diagonal of the bounding box of all finite coordinates.
 double FindDiagonal(const std::array<Pieces, 3>& pieces)
 {
-  Point3 low, high;
-  low.fill(HUGE_VAL);
-  high.fill(-HUGE_VAL);
+  Box3 box;
   for (const Pieces& set : pieces)
   {
     const auto extend = [&](int axis, const std::vector<double>& values)
@@ -33,8 +31,7 @@ double FindDiagonal(const std::array<Pieces, 3>& pieces)
       {
         if (std::isfinite(x))
         {
-          low[axis] = std::min(low[axis], x);
-          high[axis] = std::max(high[axis], x);
+          box.Add(axis, x);
         }
       }
     };
@@ -42,7 +39,7 @@ double FindDiagonal(const std::array<Pieces, 3>& pieces)
     extend(SecondAxis(set.Axis), set.V);
     extend(set.Axis, set.W);
   }
-  const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  const double diagonal = box.Diagonal();
   return std::isfinite(diagonal) ? diagonal : 0.0;
 }
 

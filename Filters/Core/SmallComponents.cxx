@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SmallComponents.h"
 
-#include "Vectors.h"
+#include "Box.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace orthoslices
 {
@@ -42,18 +41,9 @@ private:
 
 Index ComponentRemover::FindSmall(double size)
 {
-  const double infinity = std::numeric_limits<double>::infinity();
-  std::vector<Point3> low(this->Graph.Components, Point3{ infinity, infinity, infinity });
-  std::vector<Point3> high(this->Graph.Components, Point3{ -infinity, -infinity, -infinity });
+  std::vector<Box3> boxes(this->Graph.Components);
   const auto enlarge = [&](Index component, Index point)
-  {
-    const Point3 p = this->Graph.PointAt(point);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      low[component][axis] = std::min(low[component][axis], p[axis]);
-      high[component][axis] = std::max(high[component][axis], p[axis]);
-    }
-  };
+  { boxes[component].Add(this->Graph.PointAt(point)); };
   for (Index node = 0; node < this->Graph.Nodes; ++node)
   {
     enlarge(this->Graph.Component[node], node);
@@ -74,7 +64,7 @@ Index ComponentRemover::FindSmall(double size)
   Index count = 0;
   for (Index component = 0; component < this->Graph.Components; ++component)
   {
-    this->Small.push_back(Length(high[component] - low[component]) < size ? 1 : 0);
+    this->Small.push_back(boxes[component].Diagonal() < size ? 1 : 0);
     count += this->Small.back();
   }
   return count;
