@@ -30,7 +30,6 @@ class ContourWalk
 public:
   ContourWalk(const Contours& contours, Index contour, const SpatialGrid& grid)
     : Set(contours)
-    , Contour(contour)
     , Begin(contours.Offsets[contour])
     , End(contours.Offsets[contour + 1])
     , Grid(grid)
@@ -66,7 +65,7 @@ private:
   }
 
   const Contours& Set;
-  Index Contour, Begin, End;
+  Index Begin, End;
   const SpatialGrid& Grid;
   int Axis;
   const std::vector<double>& U;
