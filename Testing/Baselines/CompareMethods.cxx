@@ -283,6 +283,7 @@ void WriteSurface(const Outcome& outcome, const std::string& folder)
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputData(outcome.Surface);
   writer->SetFileName((folder + '/' + name).c_str());
+  writer->SetDataModeToBinary();
   if (!writer->Write())
   {
     throw std::runtime_error("cannot write " + name + " to " + folder);
