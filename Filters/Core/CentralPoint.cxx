@@ -260,27 +260,20 @@ Point3 PolygonCenter::Centroid()
     this->Points[i] = this->Graph.PointAt(this->Boundary[i]);
   }
   this->Weights.assign(n, 0.0);
-  Point3 sum{ 0.0, 0.0, 0.0 };
-  double total = 0.0;
+  CurveCenter center(this->Points[0]);
   for (std::size_t i = 0; i < n; ++i)
   {
     const std::size_t j = i + 1 < n ? i + 1 : 0;
-    const double half = 0.5 * Length(this->Points[j] - this->Points[i]);
+    const double half = 0.5 * center.Add(this->Points[i], this->Points[j]);
     this->Weights[i] += half;
     this->Weights[j] += half;
-    total += 2.0 * half;
-    // Relative to the first point, which keeps the digits of coordinates far from the origin.
-    sum = sum + half * ((this->Points[i] - this->Points[0]) + (this->Points[j] - this->Points[0]));
   }
-  if (!(total > 0.0))
-  {
-    return this->Points[0];
-  }
+  const double total = center.TotalLength();
   for (double& weight : this->Weights)
   {
-    weight /= total;
+    weight /= total > 0.0 ? total : 1.0;
   }
-  return this->Points[0] + (1.0 / total) * sum;
+  return center.Get();
 }
 
 /**

@@ -203,21 +203,18 @@ void SlabStitcher::FormGroups(LoopCriterion criterion, const std::vector<LoopPai
 
 Point2 CentreOf(const std::vector<SlabLoop>& loops, bool upper)
 {
-  Point2 sum{ 0.0, 0.0 };
-  double length = 0.0;
+  CurveCenter center(Point3{ 0.0, 0.0, 0.0 });
   for (const SlabLoop& loop : loops)
   {
     for (std::size_t i = 0; i < loop.Points.size() && loop.Upper == upper; ++i)
     {
       const Point2& p = loop.Points[i];
       const Point2& q = loop.Points[(i + 1) % loop.Points.size()];
-      const double weight = std::hypot(q[0] - p[0], q[1] - p[1]);
-      sum[0] += 0.5 * weight * (p[0] + q[0]);
-      sum[1] += 0.5 * weight * (p[1] + q[1]);
-      length += weight;
+      center.Add({ p[0], p[1], 0.0 }, { q[0], q[1], 0.0 });
     }
   }
-  return length > 0.0 ? Point2{ sum[0] / length, sum[1] / length } : sum;
+  const Point3 result = center.Get();
+  return { result[0], result[1] };
 }
 
 Index CountPieces(const SlabOverlay& overlay)

@@ -43,6 +43,37 @@ inline Point3 Unit(const Point3& a)
   const double length = Length(a);
   return length > 0.0 ? (1.0 / length) * a : Point3{ 0.0, 0.0, 0.0 };
 }
+
+/// The centre of curves whose parts weigh as much as they are long.
+class CurveCenter
+{
+public:
+  /// Sums are taken from the origin: a point near by keeps the digits of coordinates far from zero.
+  explicit CurveCenter(const Point3& origin)
+    : Origin(origin)
+  {
+  }
+
+  /// Adds the segment from p to q. Returns its length.
+  double Add(const Point3& p, const Point3& q)
+  {
+    const double length = Length(q - p);
+    this->Sum = this->Sum + (0.5 * length) * ((p - this->Origin) + (q - this->Origin));
+    this->Total += length;
+    return length;
+  }
+  double TotalLength() const { return this->Total; }
+  /// The origin if there is no length.
+  Point3 Get() const
+  {
+    return this->Total > 0.0 ? this->Origin + (1.0 / this->Total) * this->Sum : this->Origin;
+  }
+
+private:
+  Point3 Origin;
+  Point3 Sum{ 0.0, 0.0, 0.0 };
+  double Total = 0.0;
+};
 }
 
 #endif
