@@ -15,8 +15,8 @@ namespace
 constexpr double RingShare = 0.5;
 /// So low that arches between points of one face stay below the rest of the tube.
 constexpr double ArchHeight = 0.05;
-/// Points of a border at which its distance to a triangle is measured.
-constexpr Index MostSamples = 16;
+/// Pairs of triangles and points of a border up to which all distances are measured.
+constexpr std::size_t MostPairs = std::size_t(1) << 22;
 /// So many triangles are left out from one attempt to the next but one.
 constexpr std::size_t RankStep = 4;
 
@@ -132,15 +132,13 @@ TubeEnd Grafter::CycleAsEnd(std::size_t cycle) const
   return end;
 }
 
-/// How far a point is from a curve, at some of its points.
-double SquaredDistanceTo(const PatchCurve& curve, const Point3& point)
+/// How far a point is from a curve, at each step-th of its points.
+double SquaredDistanceTo(const PatchCurve& curve, const Point3& point, std::size_t step)
 {
-  const Index samples = std::min(curve.Count(), MostSamples);
   double least = std::numeric_limits<double>::infinity();
-  for (Index s = 0; s < samples; ++s)
+  for (std::size_t i = 0; i < curve.Points.size(); i += step)
   {
-    const auto place = static_cast<std::size_t>(std::int64_t(s) * curve.Count() / samples);
-    least = std::min(least, SquaredDistance(point, curve.Points[place]));
+    least = std::min(least, SquaredDistance(point, curve.Points[i]));
   }
   return least;
 }
@@ -150,6 +148,7 @@ double SquaredDistanceTo(const PatchCurve& curve, const Point3& point)
 std::vector<std::size_t> Grafter::RankTriangles(
   const PatchTriangles& triangles, const TubeEnd& goal, bool goalIsFixed) const
 {
+  const std::size_t step = 1 + triangles.size() * goal.Curve.Points.size() / MostPairs;
   std::vector<std::pair<double, std::size_t>> costs;
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
@@ -158,7 +157,7 @@ std::vector<std::size_t> Grafter::RankTriangles(
     const double cosine = Dot(Unit(candidate.Area), Unit(line));
     if (!goalIsFixed || (cosine > 0.0) == (Dot(goal.Area, line) < 0.0))
     {
-      const double distance2 = SquaredDistanceTo(goal.Curve, candidate.Center);
+      const double distance2 = SquaredDistanceTo(goal.Curve, candidate.Center, step);
       costs.emplace_back(this->Attempt % 2 == 0 ? distance2 / (cosine * cosine) : distance2, i);
     }
   }
