@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "JoinCycles.h"
 
-#include "Vectors.h"
+#include "Box.h"
 
 #include <algorithm>
 #include <limits>
@@ -11,11 +11,12 @@ namespace orthoslices
 {
 namespace
 {
-/// Least evidence for a join. A fragment, much smaller than the whole, needs less to be connected:
-/// it is more likely to be a piece of a thin part than a solid of its own. The lowering ends at
+/// Least evidence for a join that makes a handle: handles are rare.
+constexpr double ForHandle = 0.3;
+/// A fragment, much smaller than the whole, needs less than 0 to be connected, unless both cycles are
+/// flat: it is more likely to be a piece of a thin part than a solid of its own. The lowering ends at
 /// fragments of this share of the size of all contours.
-constexpr double LeastEvidence = 0.0;
-constexpr double ForFragments = 1.5;
+constexpr double ForFragments = 2.5;
 constexpr double LargestFragment = 0.5;
 
 /// The components of the surface and its Euler characteristic, while joins are chosen.
@@ -35,7 +36,6 @@ private:
     return this->Parts.Find(this->Geometry.PartOf(join.First)) !=
       this->Parts.Find(this->Geometry.PartOf(join.Second));
   }
-  void Enlarge(Index from, Index to);
   void Choose(CycleJoin& join);
   double EvidenceToConnect(const CycleJoin& join);
   void Connect(const PriorKnowledge& known);
@@ -43,10 +43,10 @@ private:
 
   const CycleGeometry& Geometry;
   std::vector<CycleJoin*> InOrder;
-  DisjointSets Parts;            ///< of G
-  std::vector<Point3> Low, High; ///< box of each part, at the number that stands for it
-  double Size = 0.0;             ///< diagonal of the box of all
-  DisjointSets InCell;           ///< cycles that bound one patch
+  DisjointSets Parts;      ///< of G
+  std::vector<Box3> Boxes; ///< of each part, at the number that stands for it
+  double Size = 0.0;       ///< diagonal of the box of all
+  DisjointSets InCell;     ///< cycles that bound one patch
   Index Components = 0;
   Index Euler = 0;
 };
@@ -58,25 +58,22 @@ Chooser::Chooser(const CycleGeometry& geometry, std::vector<CycleJoin>& joins)
 {
   const Index nodes = geometry.Graph.Nodes;
   const Index loops = static_cast<Index>(geometry.Graph.Loops.size());
-  Point3 low, high;
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-std::numeric_limits<double>::infinity());
+  Box3 all;
+  this->Boxes.resize(nodes + loops);
   for (Index part = 0; part < nodes + loops; ++part)
   {
-    const Index point =
-      part < nodes ? part : geometry.Graph.FirstPoint(geometry.Graph.Arcs + part - nodes);
-    this->Low.push_back(geometry.Graph.PointAt(point));
-    this->High.push_back(this->Low.back());
     const Index root = this->Parts.Find(part);
     this->Components += root == part ? 1 : 0;
-    this->Enlarge(part, root);
-    for (int axis = 0; axis < 3; ++axis)
+    const Index arc = geometry.Graph.Arcs + part - nodes;
+    const Index first = part < nodes ? part : geometry.Graph.FirstPoint(arc);
+    const Index count = part < nodes ? 1 : geometry.Graph.PointCount(arc);
+    for (Index point = first; point < first + count; ++point)
     {
-      low[axis] = std::min(low[axis], this->Low[part][axis]);
-      high[axis] = std::max(high[axis], this->High[part][axis]);
+      this->Boxes[root].Add(geometry.Graph.PointAt(point));
     }
+    all.Add(this->Boxes[root]);
   }
-  this->Size = this->Components > 0 ? Length(high - low) : 0.0;
+  this->Size = this->Components > 0 ? all.Diagonal() : 0.0;
   // Two arcs leave each node; a loop with its one vertex and one edge counts nothing.
   this->Euler = geometry.Polygons.Count() - nodes;
   for (CycleJoin& join : joins)
@@ -97,21 +94,11 @@ void Chooser::Choose(CycleJoin& join)
   this->InCell.Unite(join.First, join.Second);
   const Index a = this->Parts.Find(this->Geometry.PartOf(join.First));
   const Index b = this->Parts.Find(this->Geometry.PartOf(join.Second));
-  this->Enlarge(std::max(a, b), std::min(a, b));
+  this->Boxes[std::min(a, b)].Add(this->Boxes[std::max(a, b)]);
   this->Components -=
     this->Parts.Unite(this->Geometry.PartOf(join.First), this->Geometry.PartOf(join.Second)) ? 1
                                                                                              : 0;
   this->Euler -= 2 * (1 + join.Handles);
-}
-
-/// Makes the box of a part contain that of another one.
-void Chooser::Enlarge(Index from, Index to)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    this->Low[to][axis] = std::min(this->Low[to][axis], this->Low[from][axis]);
-    this->High[to][axis] = std::max(this->High[to][axis], this->High[from][axis]);
-  }
 }
 
 double Chooser::EvidenceToConnect(const CycleJoin& join)
@@ -120,10 +107,10 @@ double Chooser::EvidenceToConnect(const CycleJoin& join)
   for (const Index cycle : { join.First, join.Second })
   {
     const Index part = this->Parts.Find(this->Geometry.PartOf(cycle));
-    smaller = std::min(smaller, Length(this->High[part] - this->Low[part]));
+    smaller = std::min(smaller, this->Boxes[part].Diagonal());
   }
   const double share = this->Size > 0.0 ? smaller / this->Size : 1.0;
-  return LeastEvidence - ForFragments * std::max(0.0, 1.0 - share / LargestFragment);
+  return -ForFragments * (1.0 - join.Flatness) * std::max(0.0, 1.0 - share / LargestFragment);
 }
 
 /// Joins what is not connected yet.
@@ -145,8 +132,8 @@ void Chooser::AddHandles(const PriorKnowledge& known)
   for (CycleJoin* join : this->InOrder)
   {
     const Index genus = this->Components - this->Euler / 2;
-    const bool wanted = known.Genus >= 0 ? genus < known.Genus
-                                         : join->Evidence > LeastEvidence && !join->OnlyConnects;
+    const bool wanted =
+      known.Genus >= 0 ? genus < known.Genus : join->Evidence > ForHandle && !join->OnlyConnects;
     if (wanted && !join->Chosen && !this->IsRing(*join) && !this->Connects(*join))
     {
       this->Choose(*join);

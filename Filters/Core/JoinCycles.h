@@ -23,9 +23,10 @@ struct SurfaceTopology
 
 /**
  * Chooses among the joins that are not impossible, in descending order of evidence: first those
- * that connect two parts of the surface, then those that make handles. Both need evidence above
- * 0, but a part much smaller than the whole needs less (down to -1.5) to be connected, because a
- * fragment of a thin part is likelier than a small solid of its own. Given prior knowledge, as many
+ * that connect two parts of the surface, which need evidence above 0, then those that make handles,
+ * which need more than 0.3, because handles are rare. A part much smaller than the whole needs less
+ * (down to -2.5, if no sheets pass through) to be connected, because a fragment of a thin part is
+ * likelier than a small solid of its own. Given prior knowledge, as many
  * of either sort are chosen as are needed, in the same order. Cycles of one cell are never joined in
  * a ring. Returns what the surface is like if all of them can be made.
  */

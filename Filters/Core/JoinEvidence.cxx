@@ -297,6 +297,7 @@ bool CellJoins::Compare(const CycleShape& a, const CycleShape& b, Candidate& can
       steepness += 0.5 * shape->Weights[i] * std::abs(Dot(shape->Normals[i], direction));
     }
   }
+  candidate.Join.Flatness = std::max(0.0, a.Flatness) * std::max(0.0, b.Flatness);
   candidate.Join.First = a.Cycle;
   candidate.Join.Second = b.Cycle;
   candidate.Join.Evidence = Constant + OfFlatness * 0.5 * (a.Flatness + b.Flatness) +

@@ -33,6 +33,7 @@ struct CycleJoin
 {
   Index First, Second; ///< cycles, First < Second
   double Evidence = 0.0;
+  double Flatness = 0.0;     ///< the product of both, if they are positive
   Index Handles = 0;         ///< that come with it; see StitchSlabs
   bool OnlyConnects = false; ///< but makes no handle of what is connected already
   bool Chosen = false;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UndecidedPlaces.h"
 
-#include "Vectors.h"
+#include "Box.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,11 +16,6 @@ namespace
 constexpr double WeakEvidence = 3.0;
 /// Of a place where the slices speak for a join that cannot be made: nothing is known of it.
 constexpr double OfImpossible = 1.0;
-
-struct Box
-{
-  Point3 Low, High;
-};
 
 /// Where an interval begins, or ends with negative uncertainty.
 struct End
@@ -43,19 +38,12 @@ struct Interval
   double Low, High;
 };
 
-Box BoxOf(const CycleGeometry& geometry, Index cycle)
+Box3 BoxOf(const CycleGeometry& geometry, Index cycle)
 {
-  Box box;
-  box.Low.fill(std::numeric_limits<double>::infinity());
-  box.High.fill(-std::numeric_limits<double>::infinity());
+  Box3 box;
   for (const Index point : geometry.GetBorders({ cycle }))
   {
-    const Point3 p = geometry.Graph.PointAt(point);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      box.Low[axis] = std::min(box.Low[axis], p[axis]);
-      box.High[axis] = std::max(box.High[axis], p[axis]);
-    }
+    box.Add(geometry.Graph.PointAt(point));
   }
   return box;
 }
@@ -72,8 +60,8 @@ public:
 
 private:
   void AddPlace(const CycleJoin& join);
-  void AddIntervals(const CycleJoin& join, const Box& a, const Box& b);
-  void AddThroughLoop(Index cycle, const Box& box);
+  void AddIntervals(const CycleJoin& join, const Box3& a, const Box3& b);
+  void AddThroughLoop(Index cycle, const Box3& box);
   void AddInterval(int axis, double low, double high);
   std::vector<End> EndsOn(int axis) const;
   ProposedPlane FindBest() const;
@@ -102,7 +90,7 @@ void Proposer::AddInterval(int axis, double low, double high)
 }
 
 /// Planes across the contour: they give it node points.
-void Proposer::AddThroughLoop(Index cycle, const Box& box)
+void Proposer::AddThroughLoop(Index cycle, const Box3& box)
 {
   const int axis = this->Geometry.Graph.Loops[this->Geometry.LoopOf(cycle)].Axis;
   for (const int across : { FirstAxis(axis), SecondAxis(axis) })
@@ -113,7 +101,7 @@ void Proposer::AddThroughLoop(Index cycle, const Box& box)
   }
 }
 
-void Proposer::AddIntervals(const CycleJoin& join, const Box& a, const Box& b)
+void Proposer::AddIntervals(const CycleJoin& join, const Box3& a, const Box3& b)
 {
   const Index place = static_cast<Index>(this->Result.Places.size()) - 1;
   const bool firstIsLoop = this->Geometry.IsLoop(join.First);
@@ -154,8 +142,8 @@ void Proposer::AddIntervals(const CycleJoin& join, const Box& a, const Box& b)
 
 void Proposer::AddPlace(const CycleJoin& join)
 {
-  const Box a = BoxOf(this->Geometry, join.First);
-  const Box b = BoxOf(this->Geometry, join.Second);
+  const Box3 a = BoxOf(this->Geometry, join.First);
+  const Box3 b = BoxOf(this->Geometry, join.Second);
   const Index loops =
     (this->Geometry.IsLoop(join.First) ? 1 : 0) + (this->Geometry.IsLoop(join.Second) ? 1 : 0);
   UndecidedPlace place;

@@ -424,7 +424,7 @@ void ExpectSoundChoice(const Reconstruction& result, const PriorKnowledge& known
   }
   if (known.Genus < 0)
   {
-    EXPECT_GE(weakestHandle, 0.0);
+    EXPECT_GE(weakestHandle, 0.3);
   }
   else
   {
@@ -432,7 +432,7 @@ void ExpectSoundChoice(const Reconstruction& result, const PriorKnowledge& known
   }
   if (known.Components == 0)
   {
-    EXPECT_GE(weakestConnection, -1.5);
+    EXPECT_GE(weakestConnection, -2.5);
   }
 }
 }
