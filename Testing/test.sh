@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # bash Testing/test.sh
-# Builds with ParaView's VTK and with plain VTK 9.1, passes all tests and runs the fuzzer for two
-# minutes. Build folders: build/paraview, build/vtk, build/fuzz.
+# Builds with ParaView's VTK and with plain VTK 9.1, passes all tests and runs the fuzzer with a fixed
+# seed. Build folders: build/paraview, build/vtk, build/fuzz.
 #
 # bash Testing/test.sh --sanitize
 # Passes the tests of the core and of the filter with the address, undefined behaviour and thread
