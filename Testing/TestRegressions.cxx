@@ -110,3 +110,20 @@ TEST(Regression, NewVerticesOfParallelSlicesBesideACorner)
                 "-9.9999997171806854e-10,9.9999997171806854e-10 0,3.9999998868722741e-09",
     options);
 }
+
+//----------------------------------------------------------------------------
+/// An isolated contour that is one step wide at a corner: no shell has room beside it.
+TEST(Regression, IsolatedContourOneStepWide)
+{
+  Options options = ByNesting();
+  options.Central = CentralPointMethod::Centroid;
+  ExpectNoFlaws(
+    "z=2e-9: 8.0000000000000005e-09,7.9999995231628425e-09 0,5.0000000000000001e-09 "
+    "0,6.0000000000000008e-09\n"
+    "z=1e-9: 9.0000000000000012e-09,9.0000000000000012e-09 1e-08,1.0000000000000001e-09 "
+    "0,5.0000000000000001e-09 0,8.9999992847442626e-09\n"
+    "z=1e-9: 5.0000000000000001e-09,7.9999999999999988e-09 "
+    "6.0000000000000008e-09,6.0000000000000008e-09 "
+    "6.0000000000000008e-09,6.0000000000000016e-09",
+    options);
+}

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace orthoslices
 {
@@ -190,6 +191,58 @@ std::vector<Index> PatchCells(const Options& options, const std::vector<double>&
 }
 
 /// Loops and all patches, without small components.
+/// Area of an isolated contour, as a part of its length.
+double ThicknessOf(const IsolatedContours& isolated, Index contour)
+{
+  Point3 area{ 0.0, 0.0, 0.0 };
+  double length = 0.0;
+  const auto at = [&](Index point) -> Point3
+  {
+    const double* p = isolated.Points.data() + 3 * static_cast<std::size_t>(point);
+    return { p[0], p[1], p[2] };
+  };
+  const Index first = isolated.Offsets[contour], last = isolated.Offsets[contour + 1];
+  for (Index i = first; i < last; ++i)
+  {
+    const Point3 p = at(i);
+    const Point3 q = at(i + 1 < last ? i + 1 : first);
+    area = area + Cross(p - at(first), q - at(first));
+    length += Length(q - p);
+  }
+  return length > 0.0 ? Length(area) / length : 0.0;
+}
+
+/// Takes the thinnest isolated contour of each of these cells out of the surface. False if there is
+/// none.
+bool LeaveOutThinnest(const std::vector<Index>& cycles, Reconstruction& result)
+{
+  const CycleGeometry geometry = GeometryOf(result);
+  std::vector<Index> contourOf(result.Graph.Loops.size(), IsolatedContours::None);
+  for (Index contour = 0; contour < result.Isolated.Count(); ++contour)
+  {
+    if (result.Isolated.Loop[contour] != IsolatedContours::None)
+    {
+      contourOf[result.Isolated.Loop[contour]] = contour;
+    }
+  }
+  std::map<std::array<Index, 3>, std::pair<double, Index>> thinnest;
+  for (const Index cycle : cycles)
+  {
+    if (geometry.IsLoop(cycle))
+    {
+      const Index contour = contourOf[geometry.LoopOf(cycle)];
+      const auto candidate = std::make_pair(ThicknessOf(result.Isolated, contour), contour);
+      const auto at = thinnest.emplace(result.Polygons.Cell[cycle], candidate).first;
+      at->second = std::min(at->second, candidate);
+    }
+  }
+  for (const auto& cell : thinnest)
+  {
+    result.Isolated.LeftOut[cell.second.second] = 1;
+  }
+  return !thinnest.empty();
+}
+
 void MakePatches(const Options& options, std::vector<double>& normals, const Execution& execution,
   Reconstruction& result)
 {
@@ -220,6 +273,12 @@ void MakePatches(const Options& options, std::vector<double>& normals, const Exe
     Append(EmbedArcs(result.Grid, result.Nodes, execution, result.Lattice, result.Graph,
              ArcsOf(result.Graph, result.Polygons, unresolved)),
       result.Repairs);
+    embedIsolated();
+    unresolved = PatchCells(options, normals, execution, result);
+  }
+  // Isolated contours are not; some are so thin that there is no room beside them.
+  while (!unresolved.empty() && LeaveOutThinnest(unresolved, result))
+  {
     embedIsolated();
     unresolved = PatchCells(options, normals, execution, result);
   }

@@ -124,7 +124,8 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  *       grid edge along it by half the disagreement of the two slices there. Where slices
  *       contradict each other by more than the tolerance, vertices move with the node points
  *       beside them, within their planes. Isolated contours are kept, too, unless they touch
- *       others of their face or are left out by their size; where contours of neighbouring slices
+ *       others of their face, are so thin that rounding leaves no room beside them, or are left out
+ *       by their size; where contours of neighbouring slices
  *       cross in projection (one family only), they get additional vertices. What
  *       ReconcileSlices cuts off takes no part in the surface; it is listed if it has three
  *       vertices or more.
