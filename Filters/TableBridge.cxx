@@ -141,8 +141,8 @@ void WriteUndecidedTable(const Reconstruction& result, vtkTable* table)
     kind->InsertNextValue(static_cast<int>(place.Kind));
     choice->InsertNextValue(static_cast<int>(place.Choice));
     evidence->InsertNextValue(place.Evidence);
-    const ProposedPlane plane =
-      place.PlaneRank < 0 ? ProposedPlane{ -1, 0.0, 0, 0.0 } : result.Undecided.Planes[place.PlaneRank];
+    const ProposedPlane plane = place.PlaneRank < 0 ? ProposedPlane{ -1, 0.0, 0, 0.0 }
+                                                    : result.Undecided.Planes[place.PlaneRank];
     rank->InsertNextValue(place.PlaneRank);
     axis->InsertNextValue(plane.Axis);
     coordinate->InsertNextValue(plane.Coordinate);
