@@ -46,12 +46,14 @@
  *  - cell data "GridCell" (unsigned short, 3 components): the cell of M along x, y, z, where cell
  *    i lies below plane i and above plane i - 1;
  *  - cell data "PolygonSize" (unsigned short): number of node points of the spatial polygon (65535
- *    stands for more), of all polygons together where a patch joins several; 0 for isolated contours;
+ *    stands for more), of all polygons together where a patch joins several; 0 for isolated
+ *    contours;
  *  - field data "NumberOfComponents", "NumberOfContours", "NumberOfIsolatedContours",
  *    "NumberOfContoursLeftOut" (isolated ones that take no part in the surface),
  *    "NumberOfComponentsLeftOut" (see MinimumComponentSize), "NumberOfUndecidedPlaces",
- *    "TotalGenus" (of all components together), "NumberOfCellsWithSeveralCycles", "NumberOfNodePoints", "NumberOfReconciledEdges",
- *    "NumberOfReconciledVertices", "NumberOfRepairs" (vtkIdType, one value each);
+ *    "TotalGenus" (of all components together), "NumberOfCellsWithSeveralCycles",
+ *    "NumberOfNodePoints", "NumberOfReconciledEdges", "NumberOfReconciledVertices",
+ *    "NumberOfRepairs" (vtkIdType, one value each);
  *  - point data "Disagreement" (float): at a node point, the distance of the two contours along
  *    the grid edge in world units; 0 at other points;
  *  - cell data "Repaired" (unsigned char): sum of 1 (a node point of the polygon disagrees by
@@ -72,8 +74,8 @@
  *  - "SlicePlane" (int): index of the plane on that axis in ascending order, else -1;
  *  - "Length" (double): length of the arc or isolated contour in world units, else 0;
  *  - "ComponentId" (int): as on port 0; -1 for repairs, and for isolated contours that take no
- *    part in the surface: they touch others, are too small, or are parts of contours that the
- *    other slices contradict;
+ *    part in the surface: they touch others, are too small or too thin, or are parts of contours
+ *    that the other slices contradict;
  *  - "RepairSize" (float): in world units, how far the slice's nearest crossing was from the
  *    vertex (kind 3), distance of the crossings (4), length of the new arcs (5, 6), of the border
  *    of the patch (7), by how much the arcs became shorter (8).
@@ -96,10 +98,11 @@
  * 0 two cycles that are the ends of a tube or ends of their own, 1 an isolated contour and the patch
  * that it may continue, 2 two isolated contours; "Choice" (int): 0 separate, 1 joined, 2 separate
  * because no joined patch without crossings was found; "Evidence" (double): for joining them, the
- * logarithm of the odds: 0 says nothing, and from 3 or -3 on (95 %) a place is not listed; and where to slice next: "PlaneAxis" (int), "PlaneCoordinate" (double), the slice that
- * would settle the place, "PlaneSettles" (vtkIdType), how many places it would settle, and
- * "PlaneRank" (int), 0 for the slice that settles most: a place counts the more, the less certain
- * it is (see UncertaintyOf() in Core/UndecidedPlaces.h). The rows ascend by that rank.
+ * logarithm of the odds: 0 says nothing, and from 3 or -3 on (95 %) a place is not listed; and
+ * where to slice next: "PlaneAxis" (int), "PlaneCoordinate" (double), the slice that would settle
+ * the place, "PlaneSettles" (vtkIdType), how many places it would settle, and "PlaneRank" (int), 0
+ * for the slice that settles most: a place counts the more, the less certain it is (see
+ * UncertaintyOf() in Core/UndecidedPlaces.h). The rows ascend by that rank.
  *
  * In a parallel run the first process reconstructs the whole surface from the whole input; the
  * outputs of the others are empty.
@@ -110,9 +113,9 @@
  * that cross.
  *
  * @section Errors Errors
- * A connected port without contours, no connected port, an open contour, a contour that leaves its plane by more than the
- * tolerance, and coordinates that are not finite are reported with port, cell and coordinate: as
- * errors with empty outputs (InvalidContours = REFUSE), or in one warning (LEAVE_OUT). So are
+ * A connected port without contours, no connected port, an open contour, a contour that leaves its
+ * plane by more than the tolerance, and coordinates that are not finite are reported with port,
+ * cell and coordinate: as errors with empty outputs (InvalidContours = REFUSE), or in one warning (LEAVE_OUT). So are
  * contours that cross themselves or each other within one slice (CrossingContours), which by
  * default are repaired. Where the three families contradict each other, one warning says so and
  * the "Disagreement" array shows where.

@@ -97,11 +97,7 @@ Grafter::Grafter(
   }
 }
 
-std::size_t Grafter::PlaceOf(Index cycle) const
-{
-  return static_cast<std::size_t>(
-    std::lower_bound(this->Cycles.begin(), this->Cycles.end(), cycle) - this->Cycles.begin());
-}
+std::size_t Grafter::PlaceOf(Index cycle) const { return PlaceIn(this->Cycles, cycle); }
 
 TubeEnd Grafter::TriangleAsEnd(const std::array<Index, 3>& triangle) const
 {
@@ -143,8 +139,8 @@ double SquaredDistanceTo(const PatchCurve& curve, const Point3& point, std::size
   return least;
 }
 
-/// The triangles of a part, the best to be cut out first: near the goal and facing it. If the goal is
-/// fixed, it has to face the triangle, too: outside or inside lies between both.
+/// The triangles of a part, the best to be cut out first: near the goal and facing it. If the goal
+/// is fixed, it has to face the triangle, too: outside or inside lies between both.
 std::vector<std::size_t> Grafter::RankTriangles(
   const PatchTriangles& triangles, const TubeEnd& goal, bool goalIsFixed) const
 {

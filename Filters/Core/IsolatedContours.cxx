@@ -17,8 +17,8 @@ namespace
 /// is isolated: no more than a bulge was cut off.
 constexpr double LeastShare = 0.75;
 
-/// Area of a contour, without its sign.
-double AreaOf(const IsolatedContours& isolated, Index contour)
+/// The contour in its plane.
+std::vector<Point2> PolygonOf(const IsolatedContours& isolated, Index contour)
 {
   const int u = FirstAxis(isolated.Axis[contour]), v = SecondAxis(isolated.Axis[contour]);
   std::vector<Point2> polygon;
@@ -27,7 +27,13 @@ double AreaOf(const IsolatedContours& isolated, Index contour)
     const double* point = isolated.Points.data() + 3 * static_cast<std::size_t>(i);
     polygon.push_back({ point[u], point[v] });
   }
-  return std::abs(SignedArea(polygon));
+  return polygon;
+}
+
+/// Area of a contour, without its sign.
+double AreaOf(const IsolatedContours& isolated, Index contour)
+{
+  return std::abs(SignedArea(PolygonOf(isolated, contour)));
 }
 
 /// Calls the function with the contours of which a chain of runs has vertices.
@@ -401,6 +407,19 @@ void EmbedIsolated(const SpatialGrid& grid, const NodePoints& nodes, const Execu
   double least, Crossings& crossings, IsolatedContours& isolated, NodeGraph& graph)
 {
   LoopEmbedder({ grid, nodes, crossings, graph }, execution, isolated).Run(least);
+}
+
+double ThicknessOf(const IsolatedContours& isolated, Index contour)
+{
+  const std::vector<Point2> polygon = PolygonOf(isolated, contour);
+  double length = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Point2& p = polygon[i];
+    const Point2& q = polygon[(i + 1) % polygon.size()];
+    length += std::hypot(q[0] - p[0], q[1] - p[1]);
+  }
+  return length > 0.0 ? AreaOf(isolated, contour) / length : 0.0;
 }
 
 Index CountLeftOut(const IsolatedContours& isolated)

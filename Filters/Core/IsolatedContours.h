@@ -32,6 +32,9 @@ struct IsolatedContours
 IsolatedContours CopyIsolated(const std::vector<IsolatedLoop>& loops, const Contours& contours,
   const Crossings& crossings, bool keepGrazing = true);
 
+/// Area of a contour, as a part of its length.
+double ThicknessOf(const IsolatedContours& isolated, Index contour);
+
 /// How many take no part in the surface.
 Index CountLeftOut(const IsolatedContours& isolated);
 

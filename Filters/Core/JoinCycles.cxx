@@ -5,7 +5,6 @@
 #include "Box.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace orthoslices
 {
@@ -13,9 +12,9 @@ namespace
 {
 /// Least evidence for a join that makes a handle: handles are rare.
 constexpr double ForHandle = 0.3;
-/// A fragment, much smaller than the whole, needs less than 0 to be connected, unless both cycles are
-/// flat: it is more likely to be a piece of a thin part than a solid of its own. The lowering ends at
-/// fragments of this share of the size of all contours.
+/// A fragment, much smaller than the whole, needs less than 0 to be connected, unless both cycles
+/// are flat: it is more likely to be a piece of a thin part than a solid of its own. The lowering
+/// ends at fragments of this share of the size of all contours.
 constexpr double ForFragments = 2.5;
 constexpr double LargestFragment = 0.5;
 

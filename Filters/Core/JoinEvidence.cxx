@@ -211,18 +211,17 @@ CycleShape CellJoins::Describe(Index cycle)
     shape.Border.push_back(this->Geometry.Graph.PointAt(point));
   }
   const Point3& origin = shape.Border.front();
-  Point3 sum{ 0.0, 0.0, 0.0 }, area{ 0.0, 0.0, 0.0 };
-  double length = 0.0;
+  CurveCenter center(origin);
+  Point3 area{ 0.0, 0.0, 0.0 };
   for (std::size_t i = 0; i < shape.Border.size(); ++i)
   {
-    const Point3 p = shape.Border[i] - origin;
-    const Point3 q = shape.Border[(i + 1) % shape.Border.size()] - origin;
-    const double weight = Length(q - p);
-    sum = sum + (0.5 * weight) * (p + q);
-    area = area + Cross(p, q);
-    length += weight;
+    const Point3& p = shape.Border[i];
+    const Point3& q = shape.Border[(i + 1) % shape.Border.size()];
+    center.Add(p, q);
+    area = area + Cross(p - origin, q - origin);
   }
-  shape.Center = origin + (length > 0.0 ? 1.0 / length : 0.0) * sum;
+  const double length = center.TotalLength();
+  shape.Center = center.Get();
   shape.Area = Unit(area);
   double square = 0.0;
   for (std::size_t i = 0; i < shape.Border.size(); ++i)
@@ -234,8 +233,8 @@ CycleShape CellJoins::Describe(Index cycle)
         Length(shape.Border[(i + 1) % shape.Border.size()] - shape.Border[i]));
   }
   shape.Radius = length > 0.0 ? std::sqrt(square / length) : 0.0;
-  const double* center = this->CentralPoints.data() + 3 * static_cast<std::size_t>(cycle);
-  shape.Apex = shape.Loop ? shape.Center : Point3{ center[0], center[1], center[2] };
+  const double* apex = this->CentralPoints.data() + 3 * static_cast<std::size_t>(cycle);
+  shape.Apex = shape.Loop ? shape.Center : Point3{ apex[0], apex[1], apex[2] };
   this->AddNormals(shape);
   // Contours that touch each other's planes without crossing them give no normals: then nothing
   // speaks for a tube.

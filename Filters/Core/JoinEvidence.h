@@ -43,7 +43,7 @@ struct CycleJoin
 /// What is said of the loops by others, for FindJoins.
 struct KnownPairs
 {
-  std::vector<LoopPair> Pairs;    ///< ascending; they have evidence of 2 at least
+  std::vector<LoopPair> Pairs;    ///< ascending; they have evidence of 3 at least
   bool Exclusive = false;         ///< no other two loops across a cell are joined
   std::vector<PatchMesh> Patches; ///< the cycles of one patch are joined; see StitchSlabs
 };

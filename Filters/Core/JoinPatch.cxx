@@ -19,8 +19,7 @@ std::vector<std::uint8_t> Colour(
 {
   constexpr std::uint8_t none = 2;
   std::vector<std::uint8_t> colours(cycles.size(), none);
-  const auto colour = [&](Index cycle) -> std::uint8_t&
-  { return colours[std::lower_bound(cycles.begin(), cycles.end(), cycle) - cycles.begin()]; };
+  const auto colour = [&](Index cycle) -> std::uint8_t& { return colours[PlaceIn(cycles, cycle)]; };
   colours.front() = 0;
   for (std::size_t pass = 1; pass < cycles.size(); ++pass)
   {

@@ -6,6 +6,7 @@
 #include "Box.h"
 #include "TraceCycles.h"
 
+#include <algorithm>
 #include <set>
 
 namespace orthoslices
@@ -28,6 +29,13 @@ struct PatchMesh
   std::vector<Point3> Points;
   std::vector<std::array<Index, 3>> Triangles;
 };
+
+/// Where a cycle is in an ascending list.
+inline std::size_t PlaceIn(const std::vector<Index>& cycles, Index cycle)
+{
+  return static_cast<std::size_t>(
+    std::lower_bound(cycles.begin(), cycles.end(), cycle) - cycles.begin());
+}
 
 /// The cycles of all cells, and what they are made of.
 struct CycleGeometry

@@ -190,28 +190,6 @@ std::vector<Index> PatchCells(const Options& options, const std::vector<double>&
   return separated.Unresolved;
 }
 
-/// Loops and all patches, without small components.
-/// Area of an isolated contour, as a part of its length.
-double ThicknessOf(const IsolatedContours& isolated, Index contour)
-{
-  Point3 area{ 0.0, 0.0, 0.0 };
-  double length = 0.0;
-  const auto at = [&](Index point) -> Point3
-  {
-    const double* p = isolated.Points.data() + 3 * static_cast<std::size_t>(point);
-    return { p[0], p[1], p[2] };
-  };
-  const Index first = isolated.Offsets[contour], last = isolated.Offsets[contour + 1];
-  for (Index i = first; i < last; ++i)
-  {
-    const Point3 p = at(i);
-    const Point3 q = at(i + 1 < last ? i + 1 : first);
-    area = area + Cross(p - at(first), q - at(first));
-    length += Length(q - p);
-  }
-  return length > 0.0 ? Length(area) / length : 0.0;
-}
-
 /// Takes the thinnest isolated contour of each of these cells out of the surface. False if there is
 /// none.
 bool LeaveOutThinnest(const std::vector<Index>& cycles, Reconstruction& result)
@@ -243,6 +221,7 @@ bool LeaveOutThinnest(const std::vector<Index>& cycles, Reconstruction& result)
   return !thinnest.empty();
 }
 
+/// Loops and all patches, without small components.
 void MakePatches(const Options& options, std::vector<double>& normals, const Execution& execution,
   Reconstruction& result)
 {

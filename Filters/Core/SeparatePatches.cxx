@@ -71,8 +71,8 @@ struct Piece
   Index Mesh = -1;                             ///< number of its patch, which is empty for a fan
   std::shared_ptr<JoinedPatchBuilder> Builder; ///< once it is needed
 
-  /// Discs are fans at first, then shells. Joined patches are grafted, if that keeps what StitchSlabs
-  /// made, have a ring at each of the RingShares, are grafted then, and are shells at last.
+  /// Discs are fans at first, then shells. Joined patches have a ring at each of the RingShares,
+  /// then are grafted (first, if that keeps what StitchSlabs made), and are shells at last.
   std::size_t FirstGraft() const { return this->KeepsStitched ? 0 : RingShares.size(); }
   bool IsGrafted() const
   {
@@ -128,7 +128,8 @@ private:
   bool UpdateChosen(const std::vector<CycleJoin>& joins);
   void Group(std::vector<CycleJoin>& joins);
   const PatchMesh* FindStitched(const std::vector<Index>& cycles) const;
-  std::vector<PatchMesh> FindStitchedParts(const std::vector<Index>& cycles) const;
+  const PatchMesh* FindStitchedFrom(Index cycle) const;
+  std::vector<const PatchMesh*> FindStitchedParts(const std::vector<Index>& cycles) const;
   void ChooseStitched(Piece& piece) const;
   PatchMesh Graft(const Piece& piece) const;
   void Build(Index index);
@@ -207,42 +208,51 @@ void PatchSeparator::CellPatches::Group(std::vector<CycleJoin>& joins)
   }
 }
 
+/// The patch that StitchSlabs made with this cycle as its first, or null.
+const PatchMesh* PatchSeparator::CellPatches::FindStitchedFrom(Index cycle) const
+{
+  const std::vector<PatchMesh>& stitched = this->Source->Stitched;
+  const auto at = std::lower_bound(stitched.begin(), stitched.end(), cycle,
+    [](const PatchMesh& m, Index first) { return m.Cycles.front() < first; });
+  return at != stitched.end() && at->Cycles.front() == cycle ? &*at : nullptr;
+}
+
 /// The patch that StitchSlabs made of these cycles, or null.
 const PatchMesh* PatchSeparator::CellPatches::FindStitched(const std::vector<Index>& cycles) const
 {
-  const std::vector<PatchMesh>& stitched = this->Source->Stitched;
-  const auto at = std::lower_bound(stitched.begin(), stitched.end(), cycles.front(),
-    [](const PatchMesh& m, Index cycle) { return m.Cycles.front() < cycle; });
-  return at != stitched.end() && at->Cycles == cycles ? &*at : nullptr;
+  const PatchMesh* patch = this->FindStitchedFrom(cycles.front());
+  return patch && patch->Cycles == cycles ? patch : nullptr;
 }
 
-/// The patches that StitchSlabs made of some of these cycles; of a single one, the longest, only if
-/// there are no others.
-std::vector<PatchMesh> PatchSeparator::CellPatches::FindStitchedParts(
+/// The patches that StitchSlabs made of some of these cycles. Of a single cycle, which may as well
+/// be an end of a tube, only the largest one, and only if there are no others.
+std::vector<const PatchMesh*> PatchSeparator::CellPatches::FindStitchedParts(
   const std::vector<Index>& cycles) const
 {
-  const std::vector<PatchMesh>& stitched = this->Source->Stitched;
-  std::vector<PatchMesh> parts;
-  std::vector<PatchMesh> lid;
+  std::vector<const PatchMesh*> parts;
+  const PatchMesh* lid = nullptr;
   for (const Index cycle : cycles)
   {
-    const auto at = std::lower_bound(stitched.begin(), stitched.end(), cycle,
-      [](const PatchMesh& m, Index front) { return m.Cycles.front() < front; });
-    if (at != stitched.end() && at->Cycles.front() == cycle &&
-      std::includes(cycles.begin(), cycles.end(), at->Cycles.begin(), at->Cycles.end()))
+    const PatchMesh* patch = this->FindStitchedFrom(cycle);
+    if (!patch ||
+      !std::includes(cycles.begin(), cycles.end(), patch->Cycles.begin(), patch->Cycles.end()))
     {
-      const bool isLid = at->Cycles.size() == 1;
-      if (!isLid)
-      {
-        parts.push_back(*at);
-      }
-      else if (lid.empty() || lid.front().Triangles.size() < at->Triangles.size())
-      {
-        lid.assign(1, *at);
-      }
+      continue;
+    }
+    if (patch->Cycles.size() > 1)
+    {
+      parts.push_back(patch);
+    }
+    else if (!lid || lid->Triangles.size() < patch->Triangles.size())
+    {
+      lid = patch;
     }
   }
-  return parts.empty() ? lid : parts;
+  if (parts.empty() && lid)
+  {
+    parts.push_back(lid);
+  }
+  return parts;
 }
 
 void PatchSeparator::CellPatches::ChooseStitched(Piece& piece) const
@@ -254,14 +264,15 @@ void PatchSeparator::CellPatches::ChooseStitched(Piece& piece) const
 /// What StitchSlabs made, tubes by the best of the other joins, and thin tubes by the rest.
 PatchMesh PatchSeparator::CellPatches::Graft(const Piece& piece) const
 {
-  std::vector<PatchMesh> parts = this->FindStitchedParts(piece.Cycles);
+  std::vector<PatchMesh> parts;
+  for (const PatchMesh* part : this->FindStitchedParts(piece.Cycles))
+  {
+    parts.push_back(*part);
+  }
   DisjointSets known(static_cast<Index>(piece.Cycles.size()));
   std::vector<std::uint8_t> hasPatch(piece.Cycles.size(), 0);
   const auto placeOf = [&](Index cycle)
-  {
-    return static_cast<Index>(
-      std::lower_bound(piece.Cycles.begin(), piece.Cycles.end(), cycle) - piece.Cycles.begin());
-  };
+  { return static_cast<Index>(PlaceIn(piece.Cycles, cycle)); };
   const auto addCycles = [&](const PatchMesh& part)
   {
     for (const Index cycle : part.Cycles)

@@ -299,8 +299,8 @@ void SlabStitcher::InsertVertices(const Execution& execution)
   }
 }
 
-/// Gives up the overlays beside slices on which loops touch: a new vertex, once rounded, lies beside
-/// its segment and may lie on another one. Returns whether there are any.
+/// Gives up the overlays beside slices on which loops touch: a new vertex, once rounded, lies
+/// beside its segment and may lie on another one. Returns whether there are any.
 bool SlabStitcher::LeaveOutSpoilt(const Execution& execution)
 {
   const std::size_t planes = this->Grid.Planes[this->Axis].size();

@@ -29,18 +29,19 @@ struct PointPair
 PointPair FindNearestOnBorders(const PatchCurve& a, const PatchCurve& b);
 
 /**
- * Pairs along both curves, the second one backwards, from their nearest points around to them again:
- * from each pair to the next, one or both points advance. Least sum of squared distances, by
- * dynamic time warping (H. Sakoe and S. Chiba, 1978).
+ * Pairs along both curves, the second one backwards, from their nearest points around to them
+ * again: from each pair to the next, one or both points advance. Least sum of squared distances,
+ * by dynamic time warping (H. Sakoe and S. Chiba, 1978).
  */
 std::vector<PointPair> PairPoints(const PatchCurve& a, const PatchCurve& b);
 
 /**
  * Builds a patch of a cell from tubes between closed curves (our own addition).
  *
- * Between the paired points of the two curves a ring of new points, the `share` of the way from one curve to the other and strictly inside the
- * cell, is joined to both. Between points of one face it forms an arch. Every triangle has a corner
- * on the ring, so that the tube touches the boundary of its cell in the two curves only.
+ * A ring of new points lies between the paired points of the two curves, the `share` of the way
+ * from one to the other and strictly inside the cell, and is joined to both. Between points of one
+ * face it forms an arch. Every triangle has a corner on the ring, so that the tube touches the
+ * boundary of its cell in the two curves only.
  */
 class TubePatch
 {
@@ -50,8 +51,8 @@ public:
 
   /// A new corner, moved strictly into the cell.
   Index AddPoint(const Point3& point);
-  /// Makes the tube between two curves that are paired; the second one runs backwards. Arches are as
-  /// high as this part of the distance that they bridge.
+  /// Makes the tube between two curves that are paired; the second one runs backwards. Arches are
+  /// as high as this part of the distance that they bridge.
   void AddTube(const PatchCurve& a, const PatchCurve& b, const std::vector<PointPair>& pairs,
     double share, double archHeight);
 
