@@ -289,8 +289,40 @@ void SumAreas(const Coordinate* xyz, vtkCellArray* cells, float* normals)
   }
 }
 
-void AddNormals(vtkPolyData* surface, const Execution& execution)
+/// Normals of the smooth surface at all points, zero where there is none; empty if there are none
+/// at all.
+std::vector<float> ListSmoothNormals(const Reconstruction& result, vtkIdType points)
 {
+  std::vector<float> normals;
+  if (result.Normals.Normals.empty())
+  {
+    return normals;
+  }
+  normals.assign(3 * static_cast<std::size_t>(points), 0.0f);
+  const auto copy = [&](const float* first, const float* last, std::int64_t id)
+  { std::copy(first, last, normals.begin() + 3 * id); };
+  const float* ofGraph = result.Normals.Normals.data();
+  copy(ofGraph, ofGraph + result.Normals.Normals.size(), 0);
+  for (std::size_t i = 0; i < result.Normals.Corners.size(); ++i)
+  {
+    std::fill_n(normals.begin() + 3 * i, result.Normals.Corners[i] != 0 ? 3 : 0, 0.0f);
+  }
+  const InnerPatches& inner = result.Surface.Inner;
+  for (Index i = 0; i < inner.Count(); ++i)
+  {
+    const float* first = inner.Normals.data() + 3 * inner.PointOffsets[i];
+    const float* last = inner.Normals.data() + 3 * inner.PointOffsets[i + 1];
+    copy(first, first + 3, std::int64_t(result.Graph.Count()) + inner.Cycle[i]);
+    copy(first + 3, last, result.Surface.InnerPointId(i));
+  }
+  return normals;
+}
+
+/// Normals of the triangles around each point, or the smooth ones, unless the two contradict each
+/// other.
+void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Execution& execution)
+{
+  constexpr float similar = 0.5f;
   const vtkIdType count = surface->GetNumberOfPoints();
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
@@ -310,11 +342,17 @@ void AddNormals(vtkPolyData* surface, const Execution& execution)
   execution.For(count,
     [&](std::size_t begin, std::size_t end)
     {
-      for (float* n = out + 3 * begin; n != out + 3 * end; n += 3)
+      for (std::size_t i = begin; i < end; ++i)
       {
+        float* n = out + 3 * i;
         const double length = std::hypot(double(n[0]), double(n[1]), double(n[2]));
         const double scale = length > 0.0 ? 1.0 / length : 0.0;
         std::transform(n, n + 3, n, [&](float x) { return static_cast<float>(scale * x); });
+        const float* s = smooth.empty() ? n : smooth.data() + 3 * i;
+        if (s[0] * n[0] + s[1] * n[1] + s[2] * n[2] > similar)
+        {
+          std::copy_n(s, 3, n);
+        }
       }
     });
   surface->GetPointData()->SetNormals(normals);
@@ -360,20 +398,15 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
 {
   Reconstruction result = std::move(consumed);
   const vtkIdType graphPoints = result.Graph.Count();
-  std::vector<double> meshPoints;
-  for (const PatchMesh& mesh : result.Surface.Meshes)
-  {
-    for (std::size_t i = mesh.Cycles.size(); i < mesh.Points.size(); ++i)
-    {
-      meshPoints.insert(meshPoints.end(), mesh.Points[i].begin(), mesh.Points[i].end());
-    }
-  }
   const vtkIdType allCenters = graphPoints + result.Polygons.Count();
-  auto points =
-    NewPoints(doublePrecision, allCenters + static_cast<vtkIdType>(meshPoints.size() / 3));
+  std::vector<double> otherPoints = ListOtherPoints(result.Surface);
+  const vtkIdType allPoints = allCenters + static_cast<vtkIdType>(otherPoints.size() / 3);
+  result.Surface.Inner.Points = {};
+  auto points = NewPoints(doublePrecision, allPoints);
   CopyPoints(result.Graph.Points, 0, points);
   CopyPoints(result.Surface.CentralPoints, graphPoints, points);
-  CopyPoints(meshPoints, allCenters, points);
+  CopyPoints(otherPoints, allCenters, points);
+  otherPoints = {};
   result.Graph.Points = {};
   result.Surface.CentralPoints = {};
   surface->SetPoints(points);
@@ -389,11 +422,13 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   surface->SetPolys(cells);
   AddFieldData(result, surface->GetFieldData());
   AddDisagreement(result, surface->GetNumberOfPoints(), surface->GetPointData());
+  const std::vector<float> smooth =
+    normals ? ListSmoothNormals(result, allPoints) : std::vector<float>();
   FillCellArrays(result, reportTolerance, surface->GetCellData());
   result = Reconstruction();
   if (normals)
   {
-    AddNormals(surface, execution);
+    AddNormals(surface, smooth, execution);
   }
 }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CentralPoint.h"
 
+#include "LeastSquares.h"
 #include "Vectors.h"
 
 #include <algorithm>
@@ -101,46 +102,6 @@ Point3 ContourTangent::operator()(Index crossing) const
   return length > 0.0 ? (1.0 / length) * tangent : Point3{ 0.0, 0.0, 0.0 };
 }
 
-/// Solves a symmetric positive definite system in place by Cholesky's method; false if it is
-/// singular.
-template <int N>
-bool SolveSymmetric(double (&a)[N][N], double (&b)[N])
-{
-  for (int j = 0; j < N; ++j)
-  {
-    for (int i = j; i < N; ++i)
-    {
-      double sum = a[i][j];
-      for (int k = 0; k < j; ++k)
-      {
-        sum -= a[i][k] * a[j][k];
-      }
-      if (i == j && !(sum > 0.0))
-      {
-        return false;
-      }
-      a[i][j] = i == j ? std::sqrt(sum) : sum / a[j][j];
-    }
-  }
-  for (int i = 0; i < N; ++i)
-  {
-    for (int k = 0; k < i; ++k)
-    {
-      b[i] -= a[i][k] * b[k];
-    }
-    b[i] /= a[i][i];
-  }
-  for (int i = N - 1; i >= 0; --i)
-  {
-    for (int k = i + 1; k < N; ++k)
-    {
-      b[i] -= a[k][i] * b[k];
-    }
-    b[i] /= a[i][i];
-  }
-  return true;
-}
-
 /**
  * Least squares for z = c0 + c1 x + c2 y + c3 x^2 + c4 xy + c5 y^2. All products of two of these
  * terms are moments x^i y^j with i + j <= 4, so that only those are summed.
@@ -189,7 +150,12 @@ public:
       // Little data leave second derivatives open: the flattest solution is taken.
       this->Matrix[i][i] += i < 3 ? 1e-12 : 1e-6;
     }
-    return SolveSymmetric(this->Matrix, this->Right) ? this->Right[0] : 0.0;
+    if (!Factorize(this->Matrix))
+    {
+      return 0.0;
+    }
+    Substitute(this->Matrix, this->Right);
+    return this->Right[0];
   }
 
 private:
@@ -332,19 +298,10 @@ Point3 PolygonCenter::LeastSquares()
   {
     return centroid;
   }
-  // Any two directions that complete the normal to a frame; the smallest component gives a stable
-  // one.
-  const int smallest = std::abs(normal[0]) <= std::abs(normal[1])
-    ? (std::abs(normal[0]) <= std::abs(normal[2]) ? 0 : 2)
-    : (std::abs(normal[1]) <= std::abs(normal[2]) ? 1 : 2);
-  Point3 unit{ 0.0, 0.0, 0.0 };
-  unit[smallest] = 1.0;
-  Point3 x = Cross(unit, normal);
-  x = (1.0 / Length(x)) * x;
-  const Point3 y = Cross(normal, x);
+  const std::array<Point3, 3> frame = CompleteFrame(normal);
   QuadraticFit fit;
   const auto local = [&](const Point3& d) -> Point3 {
-    return { Dot(d, x), Dot(d, y), Dot(d, normal) };
+    return { Dot(d, frame[0]), Dot(d, frame[1]), Dot(d, frame[2]) };
   };
   for (std::size_t i = 0; i < this->Points.size(); ++i)
   {

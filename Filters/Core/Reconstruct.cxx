@@ -127,7 +127,7 @@ SeparatedPatches ChoosePatches(const Options& options, const std::vector<double>
 {
   constexpr int mostRounds = 16;
   const CycleGeometry geometry = GeometryOf(result);
-  const CellGroups cells = GroupByCell(result.Grid, result.Polygons, execution);
+  result.Cells = GroupByCell(result.Grid, result.Polygons, execution);
   KnownPairs known;
   if (options.Several == SeveralCycles::ByEvidence && !result.Graph.Loops.empty())
   {
@@ -141,11 +141,11 @@ SeparatedPatches ChoosePatches(const Options& options, const std::vector<double>
   if (options.Several == SeveralCycles::ByEvidence)
   {
     result.Joins =
-      FindJoins(geometry, cells, normals, result.Surface.CentralPoints, known, execution);
+      FindJoins(geometry, result.Cells, normals, result.Surface.CentralPoints, known, execution);
   }
   const bool atAnyPrice = options.Known.Components > 0 || options.Known.Genus >= 0;
   PatchSeparator separator(
-    geometry, cells, result.Surface.CentralPoints, known.Patches, atAnyPrice);
+    geometry, result.Cells, result.Surface.CentralPoints, known.Patches, atAnyPrice);
   bool done = false;
   for (int round = 1; round <= mostRounds && !done; ++round)
   {
@@ -263,6 +263,21 @@ void MakePatches(const Options& options, std::vector<double>& normals, const Exe
   }
   result.DoubtfulCycles = static_cast<Index>(unresolved.size());
 }
+
+void FillPolygons(const Options& options, const Execution& execution, Reconstruction& result)
+{
+  const CycleGeometry geometry = GeometryOf(result);
+  if (options.Patching.Method != PatchMethod::Fan)
+  {
+    result.Normals = EstimateNormals(geometry, options.CornerAngle, execution);
+  }
+  result.Surface.Inner = BuildInnerPatches(geometry, result.Cells, result.Normals,
+    result.Surface.CentralPoints, result.Surface.Meshes, options.Patching, execution);
+  if (options.Patching.Method != PatchMethod::Smooth)
+  {
+    result.Normals = {}; // those of the triangles say more
+  }
+}
 }
 
 Index CountDisagreements(const Reconstruction& result, double tolerance)
@@ -337,6 +352,7 @@ Reconstruction Reconstruct(
   MakePatches(options, normals, execution, result);
   result.Undecided = FindUndecidedPlaces(GeometryOf(result), result.Joins);
   Append(DescribeShells(result), result.Repairs);
+  FillPolygons(options, execution, result);
   LayOutTriangles(result.Graph, result.Polygons, result.Surface);
   GoOn(execution, result, 0.8);
   return result;

@@ -39,6 +39,8 @@ struct Options
   SeveralCycles Several = SeveralCycles::ByEvidence;
   LoopCriterion Criterion = LoopCriterion::ByEvidence; ///< with SeveralCycles::ByEvidence
   PriorKnowledge Known;
+  PatchOptions Patching;
+  double CornerAngle = 1.0; ///< of contours, in radians; see EstimateNormals
   /// Smaller ones are left out, by the diagonal of their bounding box as a fraction of that of all
   /// contours.
   double LeastIsolatedContour = 0.0;
@@ -69,12 +71,14 @@ struct Reconstruction
   NodeGraph Graph;
   IsolatedContours Isolated;
   Cycles Polygons;
+  CellGroups Cells;
   Index SharedCells = 0;        ///< cells with several cycles
   Index DoubtfulCycles = 0;     ///< of cells so narrow that their patches may touch
   std::vector<CycleJoin> Joins; ///< what the slices leave open, and what was chosen
   SurfaceTopology Topology;
   UndecidedPlaces Undecided;
   Index SmallComponents = 0; ///< left out
+  SurfaceNormals Normals;    ///< of G; not for PatchMethod::Fan and Coons
   Patches Surface;
 
   /// The report: what the slices disagreed on, and what was done about it.
@@ -109,8 +113,9 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  *   FindJoins, ChooseJoins  cycles of a cell that bound one patch                (our own)
  *   SeparatePatches     discs, tubes and branchings that do not cross            (our own)
  *   FindUndecidedPlaces what the slices leave open, and where to slice next      (our own)
- *   Quadrilaterals      one for each node point of a polygon                     (section 5)
- *   Triangles           fans in the quadrilaterals                               (section 5)
+ *   EstimateNormals     normals of the surface along all contours                (our own)
+ *   BuildInnerPatches   smooth patches, or the paper's                           (section 5)
+ *   WriteTriangles      all patches as triangles                                 (section 5)
  *
  * Guarantees, for every input that is not refused:
  *   G1  Closed: every edge of the surface has exactly two triangles.

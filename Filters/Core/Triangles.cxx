@@ -22,7 +22,7 @@ void LayOutTriangles(const NodeGraph& graph, const Cycles& cycles, Patches& patc
     }
     patches.Offsets[cycle + 1] = border;
   }
-  Index nextPoint = graph.Count() + cycles.Count();
+  std::int64_t nextPoint = std::int64_t(graph.Count()) + cycles.Count();
   patches.MeshOffsets.clear();
   for (const PatchMesh& mesh : patches.Meshes)
   {
@@ -34,9 +34,38 @@ void LayOutTriangles(const NodeGraph& graph, const Cycles& cycles, Patches& patc
     }
     patches.Offsets[mesh.Cycles.front() + 1] = static_cast<std::int64_t>(mesh.Triangles.size());
     patches.MeshOffsets.push_back(nextPoint);
-    nextPoint += static_cast<Index>(mesh.Points.size() - mesh.Cycles.size());
+    nextPoint += static_cast<std::int64_t>(mesh.Points.size() - mesh.Cycles.size());
+  }
+  patches.MeshOffsets.push_back(nextPoint);
+  const InnerPatches& inner = patches.Inner;
+  for (Index i = 0; i < inner.Count(); ++i)
+  {
+    patches.Offsets[inner.Cycle[i] + 1] = inner.TriangleOffsets[i + 1] - inner.TriangleOffsets[i];
+    const Point3 first = inner.PointAt(inner.PointOffsets[i]);
+    std::copy(first.begin(), first.end(),
+      patches.CentralPoints.begin() + 3 * static_cast<std::size_t>(inner.Cycle[i]));
   }
   std::partial_sum(patches.Offsets.begin(), patches.Offsets.end(), patches.Offsets.begin());
+}
+
+std::vector<double> ListOtherPoints(const Patches& patches)
+{
+  std::vector<double> points;
+  for (const PatchMesh& mesh : patches.Meshes)
+  {
+    for (std::size_t i = mesh.Cycles.size(); i < mesh.Points.size(); ++i)
+    {
+      points.insert(points.end(), mesh.Points[i].begin(), mesh.Points[i].end());
+    }
+  }
+  const InnerPatches& inner = patches.Inner;
+  points.reserve(points.size() + inner.Points.size());
+  for (Index i = 0; i < inner.Count(); ++i)
+  {
+    points.insert(points.end(), inner.Points.begin() + 3 * (inner.PointOffsets[i] + 1),
+      inner.Points.begin() + 3 * inner.PointOffsets[i + 1]);
+  }
+  return points;
 }
 
 namespace
@@ -74,6 +103,22 @@ void WriteMesh(
     }
   }
 }
+
+template <typename Id>
+void WriteInner(
+  const Patches& patches, Index patch, const std::vector<Index>& border, Id center, Id* out)
+{
+  const InnerPatches& inner = patches.Inner;
+  const Id others = static_cast<Id>(patches.InnerPointId(patch));
+  const std::int64_t last = 3 * inner.TriangleOffsets[patch + 1];
+  for (std::int64_t i = 3 * inner.TriangleOffsets[patch]; i < last; ++i)
+  {
+    const Index corner = inner.Corners[i];
+    *out++ = corner >= 0 ? static_cast<Id>(border[corner])
+      : corner == -1     ? center
+                         : static_cast<Id>(others - 2 - corner);
+  }
+}
 }
 
 template <typename Id>
@@ -89,6 +134,8 @@ void WriteTriangles(const Patches& patches, const CycleGeometry& geometry,
       auto mesh = std::lower_bound(patches.Meshes.begin(), patches.Meshes.end(), begin,
         [](const PatchMesh& m, std::size_t cycle)
         { return static_cast<std::size_t>(m.Cycles.front()) < cycle; });
+      const std::vector<Index>& inner = patches.Inner.Cycle;
+      auto nextInner = std::lower_bound(inner.begin(), inner.end(), static_cast<Index>(begin));
       for (std::size_t cycle = begin; cycle < end; ++cycle)
       {
         if (patches.Offsets[cycle] == patches.Offsets[cycle + 1])
@@ -98,7 +145,7 @@ void WriteTriangles(const Patches& patches, const CycleGeometry& geometry,
         Id* out = connectivity + 3 * patches.Offsets[cycle];
         if (mesh != patches.Meshes.end() && static_cast<std::size_t>(mesh->Cycles.front()) == cycle)
         {
-          const Index others = patches.MeshOffsets[mesh - patches.Meshes.begin()];
+          const std::int64_t others = patches.MeshOffsets[mesh - patches.Meshes.begin()];
           WriteMesh(
             *mesh, geometry.GetBorders(mesh->Cycles), centers, static_cast<Id>(others), out);
           ++mesh;
@@ -106,6 +153,12 @@ void WriteTriangles(const Patches& patches, const CycleGeometry& geometry,
         }
         geometry.GetBoundary(static_cast<Index>(cycle), border, nodePlaces);
         const Id center = centers + static_cast<Id>(cycle);
+        if (nextInner != inner.end() && *nextInner == static_cast<Index>(cycle))
+        {
+          WriteInner(patches, static_cast<Index>(nextInner - inner.begin()), border, center, out);
+          ++nextInner;
+          continue;
+        }
         SplitIntoQuadrilaterals(static_cast<Index>(border.size()), nodePlaces, quadrilaterals);
         WriteFans(border, quadrilaterals, center, out);
       }

@@ -3,32 +3,41 @@
 #ifndef OrthoSlicesTriangles_h
 #define OrthoSlicesTriangles_h
 
-#include "PatchMesh.h"
+#include "InnerPatches.h"
 
 namespace orthoslices
 {
 /**
- * The patches of all cycles. Each quadrilateral of a polygon is a fan around the central point;
- * the patches in Meshes (ascending by their first cycle) are no fans. Patch i has the triangles
- * Offsets[i] to Offsets[i + 1] - 1; a mesh of several cycles is the patch of the first one, and the
- * others have none.
+ * The patches of all cycles. Those in Meshes (ascending by their first cycle) join several cycles or
+ * are shells; those in Inner have points inside; the others are fans around the central point.
+ * Patch i has the triangles Offsets[i] to Offsets[i + 1] - 1; a mesh of several cycles is the patch
+ * of the first one, and the others have none.
  *
  * Point ids: first the points of G; then one point for each cycle, which is the central point, or,
- * for cycle k of a mesh, its point k; then the other points of the meshes, from MeshOffsets[m] on
- * for mesh m.
+ * for cycle k of a mesh, its point k, or the first point of its patch in Inner; then the other
+ * points of the meshes, from MeshOffsets[m] on for mesh m; then those of Inner.
  */
 struct Patches
 {
   std::vector<double> CentralPoints;
   std::vector<PatchMesh> Meshes;
+  InnerPatches Inner;
   std::vector<std::int64_t> Offsets{ 0 };
-  std::vector<Index> MeshOffsets;
+  std::vector<std::int64_t> MeshOffsets; ///< and where the points of Inner begin
 
+  /// The id of the second point of a patch in Inner; its other points follow.
+  std::int64_t InnerPointId(Index patch) const
+  {
+    return this->MeshOffsets.back() + this->Inner.PointOffsets[patch] - patch;
+  }
   std::int64_t TriangleCount() const { return this->Offsets.back(); }
 };
 
-/// Sets the offsets, and the first points of the meshes among the central points.
+/// Sets the offsets, and the first points of the meshes and of Inner among the central points.
 void LayOutTriangles(const NodeGraph& graph, const Cycles& cycles, Patches& patches);
+
+/// The points after those of G and the one of each cycle: x, y, z of each. See Patches.
+std::vector<double> ListOtherPoints(const Patches& patches);
 
 /// Writes three point ids for each triangle, counter-clockwise seen from outside.
 template <typename Id>

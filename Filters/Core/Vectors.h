@@ -44,6 +44,17 @@ inline Point3 Unit(const Point3& a)
   return length > 0.0 ? (1.0 / length) * a : Point3{ 0.0, 0.0, 0.0 };
 }
 
+/// A right-handed frame of unit vectors, with the given one as the third.
+inline std::array<Point3, 3> CompleteFrame(const Point3& third)
+{
+  // Off the axis to which the vector is closest: far from parallel to it.
+  const double x = std::abs(third[0]), y = std::abs(third[1]), z = std::abs(third[2]);
+  Point3 other{ 0.0, 0.0, 0.0 };
+  other[x <= y ? (x <= z ? 0 : 2) : (y <= z ? 1 : 2)] = 1.0;
+  const Point3 first = Unit(Cross(other, third));
+  return { first, Cross(third, first), third };
+}
+
 /// The centre of curves whose parts weigh as much as they are long.
 class CurveCenter
 {

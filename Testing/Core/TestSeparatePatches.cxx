@@ -456,6 +456,7 @@ TEST(SeparatePatches, RandomJoinsAreBuiltOrUndone)
     if (separated.Unresolved.empty())
     {
       result.Surface.Meshes = std::move(separated.Meshes);
+      result.Surface.Inner = {};
       LayOutTriangles(result.Graph, result.Polygons, result.Surface);
       EXPECT_EQ(DescribeFlaws(MeshOf(result)), "");
     }

@@ -411,17 +411,13 @@ SideCheck CheckGridVertices(const TriangleMesh& mesh, const Contours& contours,
 TriangleMesh MeshOf(const Reconstruction& result)
 {
   TriangleMesh mesh;
-  for (const auto* xyz : { &result.Graph.Points, &result.Surface.CentralPoints })
+  const std::vector<double> others = ListOtherPoints(result.Surface);
+  for (const auto* xyz : { &result.Graph.Points, &result.Surface.CentralPoints, &others })
   {
     for (std::size_t i = 0; i < xyz->size(); i += 3)
     {
       mesh.Points.push_back({ (*xyz)[i], (*xyz)[i + 1], (*xyz)[i + 2] });
     }
-  }
-  for (const PatchMesh& patch : result.Surface.Meshes)
-  {
-    const auto others = static_cast<std::ptrdiff_t>(patch.Cycles.size());
-    mesh.Points.insert(mesh.Points.end(), patch.Points.begin() + others, patch.Points.end());
   }
   if (result.Polygons.Count() == 0)
   {

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ContourTangents.h"
+
+#include "LeastSquares.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+void ContourCurve::Set(std::vector<Point2>&& points)
+{
+  this->Points = std::move(points);
+  this->Corners.clear();
+  this->Lengths.assign(this->Points.size() + 1, 0.0);
+  for (Index i = 0; i < this->Count(); ++i)
+  {
+    const Point2 &p = this->Points[i], &q = this->Points[this->After(i)];
+    this->Lengths[i + 1] = this->Lengths[i] + std::hypot(q[0] - p[0], q[1] - p[1]);
+  }
+}
+
+/// The difference to the first point that is `reach` away.
+Point2 ContourCurve::Reach(Index i, double reach, bool forward) const
+{
+  Point2 d{ 0.0, 0.0 };
+  Index j = i;
+  for (Index n = 0; n < this->Count() / 3 + 1; ++n)
+  {
+    j = forward ? this->After(j) : this->Before(j);
+    d = { this->Points[j][0] - this->Points[i][0], this->Points[j][1] - this->Points[i][1] };
+    if (d[0] * d[0] + d[1] * d[1] >= reach * reach)
+    {
+      break;
+    }
+  }
+  return d;
+}
+
+void ContourCurve::FindCorners(double reach, double angle)
+{
+  this->Corners.clear();
+  std::vector<double> turns(this->Points.size(), 0.0);
+  bool any = false;
+  for (Index i = 0; i < this->Count(); ++i)
+  {
+    const Point2 to = this->Reach(i, reach, false), from = this->Reach(i, reach, true);
+    const double turn =
+      std::abs(std::atan2(from[0] * to[1] - from[1] * to[0], -from[0] * to[0] - from[1] * to[1]));
+    turns[i] = turn > angle ? turn : 0.0;
+    any |= turn > angle;
+  }
+  if (!any)
+  {
+    return;
+  }
+  this->Corners.assign(this->Points.size(), 0);
+  for (Index i = 0; i < this->Count(); ++i)
+  {
+    bool sharpest = turns[i] > 0.0;
+    double length = 0.0;
+    for (Index j = i; sharpest && length <= reach && j != this->Before(i);)
+    {
+      length += this->Step(j);
+      j = this->After(j);
+      sharpest = length > reach || turns[j] <= turns[i];
+    }
+    length = 0.0;
+    for (Index j = i; sharpest && length <= reach && j != this->After(i);)
+    {
+      j = this->Before(j);
+      length += this->Step(j);
+      sharpest = length > reach || turns[j] < turns[i];
+    }
+    this->Corners[i] = sharpest ? 1 : 0;
+  }
+}
+
+/// Weighted sums of the powers of the length and of their products with both coordinates.
+struct ContourCurve::Moments
+{
+  static constexpr int Terms = 4;
+  double Powers[2 * Terms - 1] = {};
+  double First[Terms] = {}, Second[Terms] = {};
+  double Squares = 0.0; ///< of both coordinates
+  int Count = 0;
+
+  void Add(double x, double u, double v)
+  {
+    // Less weight for the points far away, and none of them without any.
+    const double near = 1.0 - 0.9 * std::min(1.0, x * x);
+    double power = near * near;
+    this->Squares += power * (u * u + v * v);
+    for (int k = 0; k < 2 * Terms - 1; ++k)
+    {
+      this->Powers[k] += power;
+      if (k < Terms)
+      {
+        this->First[k] += power * u;
+        this->Second[k] += power * v;
+      }
+      power *= x;
+    }
+    ++this->Count;
+  }
+
+  /// Coefficients of both coordinates, of as many terms as there are points for.
+  bool Solve(double (&u)[Terms], double (&v)[Terms]) const
+  {
+    const int terms = this->Count >= 6 ? 4 : this->Count >= 4 ? 3 : 2;
+    // Points that hardly determine a curve give the straightest one.
+    constexpr double straight = 1e-8;
+    double matrix[Terms][Terms];
+    for (int i = 0; i < Terms; ++i)
+    {
+      for (int j = 0; j < Terms; ++j)
+      {
+        matrix[i][j] = i < terms && j < terms ? this->Powers[i + j] : i == j ? 1.0 : 0.0;
+      }
+      u[i] = i < terms ? this->First[i] : 0.0;
+      v[i] = i < terms ? this->Second[i] : 0.0;
+      matrix[i][i] += i > 1 ? straight * this->Powers[0] : 0.0;
+    }
+    if (!Factorize(matrix))
+    {
+      return false;
+    }
+    Substitute(matrix, u);
+    Substitute(matrix, v);
+    return true;
+  }
+};
+
+ContourCurve::Fit ContourCurve::FitAt(Index i, double window) const
+{
+  constexpr int fewest = 2;
+  const Point2& origin = this->Points[i];
+  const double scale = std::max(std::min(window, 0.3 * this->Lengths.back()), 1e-300);
+  Moments sums;
+  sums.Add(0.0, 0.0, 0.0);
+  for (const bool forward : { true, false })
+  {
+    double length = 0.0;
+    Index j = i;
+    for (Index n = 0; n < this->Count() / 3 + 1 && (n == 0 || !this->IsCorner(j)); ++n)
+    {
+      const Index next = forward ? this->After(j) : this->Before(j);
+      length += this->Step(forward ? j : next);
+      if (length > scale && n >= fewest)
+      {
+        break;
+      }
+      j = next;
+      sums.Add((forward ? length : -length) / scale, (this->Points[j][0] - origin[0]) / scale,
+        (this->Points[j][1] - origin[1]) / scale);
+    }
+  }
+  double u[Moments::Terms], v[Moments::Terms];
+  Fit fit{ origin, { 0.0, 0.0 }, 0.0 };
+  if (sums.Solve(u, v))
+  {
+    fit.Place = { origin[0] + scale * u[0], origin[1] + scale * v[0] };
+    fit.Tangent = { u[1], v[1] };
+    double left = sums.Squares;
+    for (int k = 0; k < Moments::Terms; ++k)
+    {
+      left -= u[k] * sums.First[k] + v[k] * sums.Second[k];
+    }
+    fit.Residual = scale * std::sqrt(std::max(0.0, left / sums.Powers[0]));
+  }
+  double length = std::hypot(fit.Tangent[0], fit.Tangent[1]);
+  if (!(length > 0.0))
+  {
+    const Point2 &p = this->Points[this->Before(i)], &q = this->Points[this->After(i)];
+    fit.Tangent = { q[0] - p[0], q[1] - p[1] };
+    length = std::hypot(fit.Tangent[0], fit.Tangent[1]);
+  }
+  const double inverse = length > 0.0 ? 1.0 / length : 0.0;
+  fit.Tangent = { inverse * fit.Tangent[0], inverse * fit.Tangent[1] };
+  return fit;
+}
+
+double ContourCurve::SuitableWindow(double least, double most) const
+{
+  // A sample of the points will do.
+  const Index step = std::max<Index>(1, this->Count() / 64);
+  double sum = 0.0;
+  Index count = 0;
+  for (Index i = 0; i < this->Count(); i += step)
+  {
+    const double residual = this->FitAt(i, least).Residual;
+    sum += residual * residual;
+    ++count;
+  }
+  const double noise = std::sqrt(sum / count) / least;
+  // The error of a slope is about noise / window^1.5 and window^3.
+  return std::min(most, least * std::max(1.0, 5.0 * std::pow(noise, 0.4)));
+}
+}

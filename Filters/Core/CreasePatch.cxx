@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CreasePatch.h"
+
+#include "LeastSquares.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+bool HasCorner(const PatchBorder& border, const std::vector<std::uint8_t>& corners)
+{
+  return !corners.empty() &&
+    std::any_of(
+      border.Points.begin(), border.Points.end(), [&](Index point) { return corners[point] != 0; });
+}
+
+double BuildCreasePatch(const SpatialGrid& grid, const PatchBorder& border,
+  const std::vector<std::uint8_t>& corners, InnerPatch& patch)
+{
+  // Where the planes leave a direction open, the point stays beside the middle of the border.
+  constexpr double stay = 1e-3;
+  double matrix[3][3] = { { stay, 0.0, 0.0 }, { 0.0, stay, 0.0 }, { 0.0, 0.0, stay } };
+  double right[3] = {};
+  for (std::size_t i = 0; i < border.Points.size(); ++i)
+  {
+    if (corners[border.Points[i]] != 0)
+    {
+      continue;
+    }
+    const Point3& n = border.Normals[i];
+    const double weight = border.Weights[i];
+    const double height = Dot(n, border.Places[i] - border.Center);
+    for (int a = 0; a < 3; ++a)
+    {
+      for (int b = 0; b < 3; ++b)
+      {
+        matrix[a][b] += weight * n[a] * n[b];
+      }
+      right[a] += weight * n[a] * height;
+    }
+  }
+  if (Factorize(matrix))
+  {
+    Substitute(matrix, right);
+  }
+  patch.Clear();
+  patch.Points.push_back(
+    border.MoveInside(grid, border.Center + Point3{ right[0], right[1], right[2] }));
+  patch.Normals.push_back({ 0.0, 0.0, 0.0 });
+  for (Index i = 0; i < border.Count(); ++i)
+  {
+    patch.Triangles.push_back({ -1, i, i + 1 < border.Count() ? i + 1 : 0 });
+  }
+  double sum = 0.0;
+  for (Index i = 0; i < border.Count(); ++i)
+  {
+    const double distance = Dot(border.Normals[i], patch.Points[0] - border.Places[i]);
+    sum += corners[border.Points[i]] != 0 ? 0.0 : border.Weights[i] * distance * distance;
+  }
+  return std::sqrt(sum);
+}
+}

@@ -1,0 +1,346 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DiscTriangulation.h"
+
+#include "TriangulatePolygon.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthoslices
+{
+namespace
+{
+/// Triangles whose circumradius is more than so many times their shortest side are badly shaped:
+/// below 24 degrees.
+constexpr double Quality = 1.23;
+
+double SquaredDistance(const Point2& a, const Point2& b)
+{
+  const double x = b[0] - a[0], y = b[1] - a[1];
+  return x * x + y * y;
+}
+}
+
+bool DiscTriangulation::StartWithFan(const std::vector<Point2>& border, const Point2& center)
+{
+  const Index n = static_cast<Index>(border.size());
+  this->Points.assign(border.begin(), border.end());
+  this->Points.push_back(center);
+  this->Triangles.resize(n);
+  // All triangles turn left, and the border runs once around the center.
+  int turns = 0;
+  for (Index i = 0; i < n; ++i)
+  {
+    const Index j = i + 1 < n ? i + 1 : 0;
+    if (SideOf(center, border[i], border[j]) <= 0)
+    {
+      return false;
+    }
+    turns += border[i][1] < center[1] && border[j][1] >= center[1] ? 1 : 0;
+    this->Triangles[i] = { { i, j, n }, { -1, j, i > 0 ? i - 1 : n - 1 } };
+  }
+  return turns == 1;
+}
+
+bool IsSimple(const std::vector<Point2>& polygon)
+{
+  const std::size_t n = polygon.size();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Point2 &p = polygon[i], &q = polygon[i + 1 < n ? i + 1 : 0];
+    for (std::size_t j = i + 2; j < n && (i > 0 || j + 1 < n); ++j)
+    {
+      const Point2 &r = polygon[j], &s = polygon[j + 1 < n ? j + 1 : 0];
+      if (SideOf(p, q, r) * SideOf(p, q, s) <= 0 && SideOf(r, s, p) * SideOf(r, s, q) <= 0)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool DiscTriangulation::StartWithEars(const std::vector<Point2>& border)
+{
+  if (!IsSimple(border) || !(SignedArea(border) > 0.0))
+  {
+    return false;
+  }
+  this->Points.assign(border.begin(), border.end());
+  this->Triangles.clear();
+  std::vector<std::array<Index, 4>> sides; // its ends ascending, triangle, side
+  for (const std::array<Index, 3>& corners : TriangulatePolygon(border))
+  {
+    if (SideOf(border[corners[0]], border[corners[1]], border[corners[2]]) <= 0)
+    {
+      return false;
+    }
+    const Index t = static_cast<Index>(this->Triangles.size());
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto ends = std::minmax(corners[i], corners[(i + 1) % 3]);
+      sides.push_back({ ends.first, ends.second, t, i });
+    }
+    this->Triangles.push_back({ corners, { -1, -1, -1 } });
+  }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 1; i < sides.size(); ++i)
+  {
+    const auto &a = sides[i - 1], &b = sides[i];
+    if (a[0] == b[0] && a[1] == b[1])
+    {
+      this->Triangles[a[2]].Neighbors[a[3]] = b[2];
+      this->Triangles[b[2]].Neighbors[b[3]] = a[2];
+    }
+  }
+  return true;
+}
+
+int DiscTriangulation::SideTo(Index t, Index neighbor) const
+{
+  const auto& n = this->Triangles[t].Neighbors;
+  return n[0] == neighbor ? 0 : n[1] == neighbor ? 1 : 2;
+}
+
+void DiscTriangulation::Relink(Index t, Index from, Index to)
+{
+  if (t >= 0)
+  {
+    this->Triangles[t].Neighbors[this->SideTo(t, from)] = to;
+  }
+}
+
+/// Whether the point across a side lies outside the circumcircle, or the side cannot be flipped.
+bool DiscTriangulation::IsDelaunay(const Triangle& t, int side) const
+{
+  const Index other = t.Neighbors[side];
+  if (other < 0)
+  {
+    return true;
+  }
+  const Triangle& o = this->Triangles[other];
+  const Index ia = t.Corners[side], ib = t.Corners[(side + 1) % 3], ic = t.Corners[(side + 2) % 3];
+  Index id = o.Corners[0];
+  for (const Index corner : o.Corners)
+  {
+    id = corner != ia && corner != ib ? corner : id;
+  }
+  const Point2 &a = this->Points[ia], &b = this->Points[ib], &c = this->Points[ic],
+               &d = this->Points[id];
+  // Angles at c and d opposite to the side ab: their sum is at most 180 degrees.
+  const double cax = a[0] - c[0], cay = a[1] - c[1], cbx = b[0] - c[0], cby = b[1] - c[1];
+  const double dax = a[0] - d[0], day = a[1] - d[1], dbx = b[0] - d[0], dby = b[1] - d[1];
+  const double cosC = cax * cbx + cay * cby, sinC = cax * cby - cay * cbx;
+  const double cosD = dbx * dax + dby * day, sinD = dbx * day - dby * dax;
+  const double left = sinC * cosD, right = cosC * sinD;
+  if (left + right >= -1e-9 * (std::abs(left) + std::abs(right)))
+  {
+    return true;
+  }
+  // The two new triangles.
+  return SideOf(c, a, d) <= 0 || SideOf(d, b, c) <= 0;
+}
+
+/// Replaces the common side of two triangles by the other diagonal.
+void DiscTriangulation::Flip(Index t, int side)
+{
+  Triangle& one = this->Triangles[t];
+  const Index u = one.Neighbors[side];
+  Triangle& two = this->Triangles[u];
+  const int other = this->SideTo(u, t);
+  const Index a = one.Corners[side], b = one.Corners[(side + 1) % 3],
+              c = one.Corners[(side + 2) % 3], d = two.Corners[(other + 2) % 3];
+  const Index bc = one.Neighbors[(side + 1) % 3], ca = one.Neighbors[(side + 2) % 3];
+  const Index ad = two.Neighbors[(other + 1) % 3], db = two.Neighbors[(other + 2) % 3];
+  one = { { c, a, d }, { ca, ad, u } };
+  two = { { d, b, c }, { db, bc, t } };
+  this->Relink(ad, u, t);
+  this->Relink(bc, t, u);
+  this->Doubtful.insert(this->Doubtful.end(), { { t, 0 }, { t, 1 }, { u, 0 }, { u, 1 } });
+  this->Queue.push_back(t);
+  this->Queue.push_back(u);
+}
+
+void DiscTriangulation::Legalize()
+{
+  std::size_t guard = 64 + 16 * this->Triangles.size();
+  while (!this->Doubtful.empty() && guard-- > 0)
+  {
+    const std::pair<Index, int> next = this->Doubtful.back();
+    this->Doubtful.pop_back();
+    if (!this->IsDelaunay(this->Triangles[next.first], next.second))
+    {
+      this->Flip(next.first, next.second);
+    }
+  }
+  this->Doubtful.clear();
+}
+
+void DiscTriangulation::MakeDelaunay()
+{
+  this->Queue.clear();
+  for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+  {
+    for (int side = 0; side < 3; ++side)
+    {
+      this->Doubtful.emplace_back(static_cast<Index>(t), side);
+    }
+  }
+  this->Legalize();
+}
+
+/// The triangle with a point strictly inside, or -1.
+Index DiscTriangulation::Locate(Index from, const Point2& p) const
+{
+  Index t = from;
+  for (std::size_t steps = 0; steps <= this->Triangles.size(); ++steps)
+  {
+    const Triangle& triangle = this->Triangles[t];
+    Index next = -2;
+    for (int i = 0; i < 3 && next == -2; ++i)
+    {
+      const int side =
+        SideOf(this->Points[triangle.Corners[i]], this->Points[triangle.Corners[(i + 1) % 3]], p);
+      next = side < 0 ? triangle.Neighbors[i] : side == 0 ? -1 : -2;
+    }
+    if (next < 0)
+    {
+      return next == -2 ? t : -1;
+    }
+    t = next;
+  }
+  return -1;
+}
+
+/// Whether a point inside a triangle sees a side of the border near by at more than 110 degrees.
+bool DiscTriangulation::Encroaches(Index t, const Point2& p) const
+{
+  constexpr double cosine = -0.34;
+  const auto tooNear = [&](const Triangle& triangle)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      if (triangle.Neighbors[i] >= 0)
+      {
+        continue;
+      }
+      const Point2& a = this->Points[triangle.Corners[i]];
+      const Point2& b = this->Points[triangle.Corners[(i + 1) % 3]];
+      const double dot = (a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1]);
+      if (dot < cosine * std::sqrt(SquaredDistance(a, p) * SquaredDistance(b, p)))
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  const Triangle& triangle = this->Triangles[t];
+  if (tooNear(triangle))
+  {
+    return true;
+  }
+  return std::any_of(triangle.Neighbors.begin(), triangle.Neighbors.end(),
+    [&](Index n) { return n >= 0 && tooNear(this->Triangles[n]); });
+}
+
+void DiscTriangulation::Insert(Index t, const Point2& p)
+{
+  const Index v = static_cast<Index>(this->Points.size());
+  this->Points.push_back(p);
+  const Index u = static_cast<Index>(this->Triangles.size());
+  const Index w = u + 1;
+  const Triangle old = this->Triangles[t];
+  const auto& c = old.Corners;
+  const auto& n = old.Neighbors;
+  this->Triangles[t] = { { c[0], c[1], v }, { n[0], u, w } };
+  this->Triangles.push_back({ { c[1], c[2], v }, { n[1], w, t } });
+  this->Triangles.push_back({ { c[2], c[0], v }, { n[2], t, u } });
+  this->Relink(n[1], t, u);
+  this->Relink(n[2], t, w);
+  this->Doubtful.insert(this->Doubtful.end(), { { t, 0 }, { u, 0 }, { w, 0 } });
+  this->Queue.insert(this->Queue.end(), { t, u, w });
+  this->Legalize();
+}
+
+/// Where a point would mend a triangle; false if it needs none.
+bool DiscTriangulation::FindNewPoint(const Triangle& t, double size, Point2& p) const
+{
+  const Point2 &a = this->Points[t.Corners[0]], &b = this->Points[t.Corners[1]],
+               &c = this->Points[t.Corners[2]];
+  const double bx = b[0] - a[0], by = b[1] - a[1], cx = c[0] - a[0], cy = c[1] - a[1];
+  const double bb = bx * bx + by * by, cc = cx * cx + cy * cy;
+  const double ab = bb, ca = cc, bc = SquaredDistance(b, c);
+  const double twice = 2.0 * (bx * cy - by * cx);
+  const double ux = (cy * bb - by * cc) / twice, uy = (bx * cc - cx * bb) / twice;
+  const double radius2 = ux * ux + uy * uy;
+  const double shortest = std::min({ ab, bc, ca });
+  if (!(radius2 > Quality * Quality * shortest || radius2 > 0.45 * size * size))
+  {
+    return false;
+  }
+  p = { a[0] + ux, a[1] + uy };
+  // Not farther from the shortest side than a good triangle over it is high.
+  const Point2& from = shortest == ab ? a : shortest == bc ? b : c;
+  const Point2& to = shortest == ab ? b : shortest == bc ? c : a;
+  const Point2 middle{ 0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]) };
+  const double away = std::sqrt(SquaredDistance(middle, p));
+  const double most = 1.4 * std::sqrt(shortest);
+  if (away > most && radius2 > Quality * Quality * shortest)
+  {
+    const double share = most / away;
+    p = { middle[0] + share * (p[0] - middle[0]), middle[1] + share * (p[1] - middle[1]) };
+  }
+  // Off the middle of a right angle's long side.
+  constexpr double inwards = 1e-3;
+  p[0] += inwards * ((a[0] + b[0] + c[0]) / 3.0 - p[0]);
+  p[1] += inwards * ((a[1] + b[1] + c[1]) / 3.0 - p[1]);
+  return std::isfinite(p[0]) && std::isfinite(p[1]);
+}
+
+void DiscTriangulation::Refine(double size, std::size_t mostPoints)
+{
+  this->Queue.resize(this->Triangles.size());
+  for (std::size_t t = 0; t < this->Queue.size(); ++t)
+  {
+    this->Queue[t] = static_cast<Index>(t);
+  }
+  Point2 p;
+  for (std::size_t next = 0; next < this->Queue.size() && this->Points.size() < mostPoints; ++next)
+  {
+    const Index t = this->Queue[next];
+    if (!this->FindNewPoint(this->Triangles[t], size, p))
+    {
+      continue;
+    }
+    const Index at = this->Locate(t, p);
+    if (at >= 0 && !this->Encroaches(at, p))
+    {
+      this->Insert(at, p);
+    }
+  }
+}
+
+/// Adds a point in the middle of a side inside the disc.
+void DiscTriangulation::Split(Index t, int side)
+{
+  const Triangle one = this->Triangles[t];
+  const Index u = one.Neighbors[side];
+  const Triangle two = this->Triangles[u];
+  const int other = this->SideTo(u, t);
+  const Index a = one.Corners[side], b = one.Corners[(side + 1) % 3],
+              c = one.Corners[(side + 2) % 3], d = two.Corners[(other + 2) % 3];
+  const Index bc = one.Neighbors[(side + 1) % 3], ca = one.Neighbors[(side + 2) % 3];
+  const Index ad = two.Neighbors[(other + 1) % 3], db = two.Neighbors[(other + 2) % 3];
+  const Index m = static_cast<Index>(this->Points.size());
+  this->Points.push_back({ 0.5 * (this->Points[a][0] + this->Points[b][0]),
+    0.5 * (this->Points[a][1] + this->Points[b][1]) });
+  const Index v = static_cast<Index>(this->Triangles.size()), w = v + 1;
+  this->Triangles[t] = { { c, a, m }, { ca, u, v } };
+  this->Triangles[u] = { { a, d, m }, { ad, w, t } };
+  this->Triangles.push_back({ { b, c, m }, { bc, t, w } });
+  this->Triangles.push_back({ { d, b, m }, { db, v, u } });
+  this->Relink(bc, t, v);
+  this->Relink(db, u, w);
+}
+}

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesDiscTriangulation_h
+#define OrthoSlicesDiscTriangulation_h
+
+#include "Predicates.h"
+
+namespace orthoslices
+{
+/// Whether no two sides of a polygon have a point in common but their common end. Exact.
+bool IsSimple(const std::vector<Point2>& polygon);
+
+/**
+ * Triangulation of a disc in the plane, whose border is a given polygon and stays as it is. Points
+ * are added inside: J. Ruppert, "A Delaunay Refinement Algorithm for Quality 2-Dimensional Mesh
+ * Generation" (1995), with the off-centers of A. Ungor (2004). All triangles run counter-clockwise,
+ * decided exactly.
+ */
+class DiscTriangulation
+{
+public:
+  struct Triangle
+  {
+    std::array<Index, 3> Corners;
+    std::array<Index, 3> Neighbors; ///< across the side after each corner; -1 at the border
+  };
+
+  /// The fan around a center; false if it does not see all of the border from its left.
+  bool StartWithFan(const std::vector<Point2>& border, const Point2& center);
+  /// Without points inside; false if the border is not simple and counter-clockwise.
+  bool StartWithEars(const std::vector<Point2>& border);
+  /// Changes diagonals until each is Delaunay.
+  void MakeDelaunay();
+  /// Adds points where triangles are badly shaped or have sides longer than `size`.
+  void Refine(double size, std::size_t mostPoints);
+  /// Adds a point in the middle of the sides for which the predicate holds.
+  template <typename Predicate>
+  void SplitSides(Predicate&& isToSplit)
+  {
+    for (std::size_t t = 0; t < this->Triangles.size(); ++t)
+    {
+      int side = 0;
+      while (side < 3)
+      {
+        const Triangle& triangle = this->Triangles[t];
+        const bool split = triangle.Neighbors[side] >= 0 &&
+          isToSplit(triangle.Corners[side], triangle.Corners[(side + 1) % 3]);
+        if (split)
+        {
+          this->Split(static_cast<Index>(t), side);
+        }
+        side = split ? 0 : side + 1; // the triangle has become another one
+      }
+    }
+  }
+
+  std::vector<Point2> Points; ///< first those of the border
+  std::vector<Triangle> Triangles;
+
+private:
+  bool IsDelaunay(const Triangle& t, int side) const;
+  void Flip(Index t, int side);
+  void Legalize();
+  void Split(Index t, int side);
+  void Insert(Index t, const Point2& p);
+  Index Locate(Index from, const Point2& p) const;
+  bool Encroaches(Index t, const Point2& p) const;
+  bool FindNewPoint(const Triangle& t, double size, Point2& p) const;
+  int SideTo(Index t, Index neighbor) const;
+  void Relink(Index t, Index from, Index to);
+
+  std::vector<std::pair<Index, int>> Doubtful;
+  std::vector<Index> Queue;
+};
+}
+
+#endif

@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InnerPatches.h"
+
+#include "CoonsPatch.h"
+#include "CreasePatch.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+void InnerPatches::Add(Index cycle, const InnerPatch& patch)
+{
+  this->Cycle.push_back(cycle);
+  for (std::size_t i = 0; i < patch.Points.size(); ++i)
+  {
+    this->Points.insert(this->Points.end(), patch.Points[i].begin(), patch.Points[i].end());
+    this->Normals.insert(this->Normals.end(), patch.Normals[i].begin(), patch.Normals[i].end());
+  }
+  for (const std::array<Index, 3>& triangle : patch.Triangles)
+  {
+    this->Corners.insert(this->Corners.end(), triangle.begin(), triangle.end());
+  }
+  this->PointOffsets.push_back(static_cast<std::int64_t>(this->Points.size() / 3));
+  this->TriangleOffsets.push_back(static_cast<std::int64_t>(this->Corners.size() / 3));
+}
+
+void InnerPatches::Add(const InnerPatches& others, Index patch)
+{
+  const auto append = [](const auto& from, std::int64_t first, std::int64_t last, auto& to)
+  { to.insert(to.end(), from.begin() + first, from.begin() + last); };
+  this->Cycle.push_back(others.Cycle[patch]);
+  const std::int64_t* points = others.PointOffsets.data() + patch;
+  const std::int64_t* triangles = others.TriangleOffsets.data() + patch;
+  append(others.Points, 3 * points[0], 3 * points[1], this->Points);
+  append(others.Normals, 3 * points[0], 3 * points[1], this->Normals);
+  append(others.Corners, 3 * triangles[0], 3 * triangles[1], this->Corners);
+  this->PointOffsets.push_back(this->PointOffsets.back() + points[1] - points[0]);
+  this->TriangleOffsets.push_back(this->TriangleOffsets.back() + triangles[1] - triangles[0]);
+}
+
+namespace
+{
+/// Cycles that are filled together: the parts do not depend on the number of threads.
+constexpr std::size_t BlockSize = 256;
+
+/// The least mean spacing of the planes of an axis that has two or more of them.
+double MeanSpacing(const SpatialGrid& grid)
+{
+  double least = HUGE_VAL;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    least = grid.Count(axis) > 1 ? std::min(least, grid.MeanSpacing(axis)) : least;
+  }
+  return std::isfinite(least) ? least : grid.MeanSpacing(0);
+}
+
+class PatchFiller
+{
+public:
+  PatchFiller(const CycleGeometry& geometry, const SurfaceNormals& normals,
+    const std::vector<double>& centralPoints, const std::vector<PatchMesh>& meshes,
+    const PatchOptions& options)
+    : Geometry(geometry)
+    , Normals(normals)
+    , CentralPoints(centralPoints)
+    , Meshes(meshes)
+    , Method(options.Method)
+    , Parts(std::max<Index>(1, static_cast<Index>(std::lround(0.5 / options.EdgeLength))))
+    , MeshOf(geometry.Polygons.Count(), -1)
+  {
+    const double spacing = MeanSpacing(geometry.Grid);
+    this->Resolution = { options.EdgeLength * spacing, options.ChordTolerance * spacing };
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+    {
+      for (const Index cycle : meshes[i].Cycles)
+      {
+        this->MeshOf[cycle] = static_cast<Index>(i);
+      }
+    }
+  }
+
+  InnerPatches Fill(std::size_t begin, std::size_t end) const;
+  /// The patches that touch others of their cell.
+  std::vector<Index> FindTouching(
+    const Index* first, const Index* last, const InnerPatches& patches) const;
+
+private:
+  Point3 CentralPoint(Index cycle) const
+  {
+    const double* p = this->CentralPoints.data() + 3 * static_cast<std::size_t>(cycle);
+    return { p[0], p[1], p[2] };
+  }
+  struct CellTriangles;
+
+  const CycleGeometry& Geometry;
+  const SurfaceNormals& Normals;
+  const std::vector<double>& CentralPoints;
+  const std::vector<PatchMesh>& Meshes;
+  PatchMethod Method;
+  Index Parts; ///< of the sides of Coons patches
+  PatchResolution Resolution;
+  std::vector<Index> MeshOf; ///< of each cycle, or -1
+};
+
+InnerPatches PatchFiller::Fill(std::size_t begin, std::size_t end) const
+{
+  InnerPatches result;
+  SmoothPatchBuilder smooth(this->Geometry.Grid, this->Resolution);
+  PatchBorder border;
+  InnerPatch patch, crease;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const Index cycle = static_cast<Index>(i);
+    if (this->MeshOf[cycle] >= 0 || this->Geometry.IsLoop(cycle))
+    {
+      continue;
+    }
+    border.Set(this->Geometry, this->Normals, cycle);
+    bool built = true;
+    if (this->Method == PatchMethod::Coons)
+    {
+      built =
+        BuildCoonsPatch(this->Geometry.Grid, border, this->CentralPoint(cycle), this->Parts, patch);
+    }
+    else
+    {
+      built = smooth.Build(border, patch);
+      if (HasCorner(border, this->Normals.Corners))
+      {
+        const double deviation =
+          BuildCreasePatch(this->Geometry.Grid, border, this->Normals.Corners, crease);
+        if (!built || deviation < smooth.Deviation())
+        {
+          std::swap(patch, crease);
+          built = true;
+        }
+      }
+    }
+    if (built)
+    {
+      result.Add(cycle, patch);
+    }
+  }
+  return result;
+}
+
+/// All triangles of the patches of one cell.
+struct PatchFiller::CellTriangles
+{
+  std::vector<PatchTriangle> Triangles;
+  std::vector<PatchShape> Shapes;
+  Index NextId = 0;
+
+  /// `at` gives the place of a corner, as in PatchMesh.
+  template <typename Corners, typename At>
+  void Add(PatchShape shape, Index borderSize, std::size_t points, std::size_t count,
+    const Corners& corners, const At& at)
+  {
+    const Index patch = static_cast<Index>(this->Shapes.size());
+    this->Shapes.push_back(shape);
+    for (std::size_t t = 0; t < count; ++t)
+    {
+      std::array<Point3, 3> places;
+      std::array<Index, 3> ids;
+      for (int k = 0; k < 3; ++k)
+      {
+        const Index corner = corners(t, k);
+        places[k] = at(corner);
+        ids[k] = this->NextId + (corner >= 0 ? corner : borderSize - 1 - corner);
+      }
+      this->Triangles.emplace_back(patch, places, ids);
+    }
+    this->NextId += borderSize + static_cast<Index>(points);
+  }
+};
+
+std::vector<Index> PatchFiller::FindTouching(
+  const Index* first, const Index* last, const InnerPatches& patches) const
+{
+  CellTriangles all;
+  std::vector<Index> inner; // of each patch of the cell, its number, or -1
+  for (const Index* cycle = first; cycle != last; ++cycle)
+  {
+    const Index mesh = this->MeshOf[*cycle];
+    if (mesh >= 0 && this->Meshes[mesh].Cycles.front() != *cycle)
+    {
+      continue;
+    }
+    const std::vector<Index> border = this->Geometry.GetBorders(
+      mesh >= 0 ? this->Meshes[mesh].Cycles : std::vector<Index>{ *cycle });
+    const Index size = static_cast<Index>(border.size());
+    const auto number = std::lower_bound(patches.Cycle.begin(), patches.Cycle.end(), *cycle);
+    const bool isInner = number != patches.Cycle.end() && *number == *cycle;
+    inner.push_back(isInner ? static_cast<Index>(number - patches.Cycle.begin()) : -1);
+    if (isInner)
+    {
+      const Index i = inner.back();
+      const Index* corners = patches.Corners.data() + 3 * patches.TriangleOffsets[i];
+      all.Add(
+        PatchShape::Fan, size,
+        static_cast<std::size_t>(patches.PointOffsets[i + 1] - patches.PointOffsets[i]),
+        static_cast<std::size_t>(patches.TriangleOffsets[i + 1] - patches.TriangleOffsets[i]),
+        [&](std::size_t t, int k) { return corners[3 * t + k]; },
+        [&](Index corner)
+        {
+          return corner >= 0 ? this->Geometry.Graph.PointAt(border[corner])
+                             : patches.PointAt(patches.PointOffsets[i] - 1 - corner);
+        });
+    }
+    else if (mesh >= 0)
+    {
+      const PatchMesh& m = this->Meshes[mesh];
+      all.Add(
+        PatchShape::Fan, size, m.Points.size(), m.Triangles.size(),
+        [&](std::size_t t, int k) { return m.Triangles[t][k]; },
+        [&](Index corner) {
+          return corner >= 0 ? this->Geometry.Graph.PointAt(border[corner]) : m.Points[-1 - corner];
+        });
+    }
+    else
+    {
+      all.Add(
+        PatchShape::Fan, size, 1, border.size(),
+        [&](std::size_t t, int k)
+        { return k == 0 ? -1 : static_cast<Index>((t + (k == 2 ? 1 : 0)) % border.size()); },
+        [&](Index corner)
+        {
+          return corner >= 0 ? this->Geometry.Graph.PointAt(border[corner])
+                             : this->CentralPoint(*cycle);
+        });
+    }
+  }
+  std::vector<Index> touching;
+  for (const auto& contact : FindContacts(all.Triangles, all.Shapes))
+  {
+    for (const Index patch : { contact.first, contact.second })
+    {
+      if (inner[patch] >= 0)
+      {
+        touching.push_back(inner[patch]);
+      }
+    }
+  }
+  return touching;
+}
+
+/// Takes out patches until none touches another of its cell. What takes their place, fans, does not.
+InnerPatches TakeOutTouching(const CellGroups& cells, const PatchFiller& filler,
+  InnerPatches&& patches, const Execution& execution)
+{
+  InnerPatches result = std::move(patches);
+  std::vector<std::pair<Index, Index>> ranges = cells.Several;
+  while (!ranges.empty())
+  {
+    std::vector<std::vector<Index>> touching(ranges.size());
+    execution.For(ranges.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        const Index* cycles = cells.Cycles.data();
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          touching[i] =
+            filler.FindTouching(cycles + ranges[i].first, cycles + ranges[i].second, result);
+        }
+      });
+    std::vector<std::pair<Index, Index>> again;
+    std::vector<std::uint8_t> isOut(result.Cycle.size(), 0);
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+    {
+      for (const Index patch : touching[i])
+      {
+        isOut[patch] = 1;
+      }
+      if (!touching[i].empty())
+      {
+        again.push_back(ranges[i]);
+      }
+    }
+    if (!again.empty())
+    {
+      InnerPatches others;
+      for (Index i = 0; i < result.Count(); ++i)
+      {
+        if (isOut[i] == 0)
+        {
+          others.Add(result, i);
+        }
+      }
+      result = std::move(others);
+    }
+    ranges = std::move(again);
+  }
+  return result;
+}
+}
+
+InnerPatches BuildInnerPatches(const CycleGeometry& geometry, const CellGroups& cells,
+  const SurfaceNormals& normals, const std::vector<double>& centralPoints,
+  const std::vector<PatchMesh>& meshes, const PatchOptions& options, const Execution& execution)
+{
+  if (options.Method == PatchMethod::Fan)
+  {
+    return {};
+  }
+  const PatchFiller filler(geometry, normals, centralPoints, meshes, options);
+  const std::size_t count = static_cast<std::size_t>(geometry.Polygons.Count());
+  std::vector<InnerPatches> blocks((count + BlockSize - 1) / BlockSize);
+  execution.For(blocks.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        blocks[i] = filler.Fill(i * BlockSize, std::min(count, (i + 1) * BlockSize));
+      }
+    });
+  InnerPatches result;
+  std::size_t points = 0, corners = 0, patches = 0;
+  for (const InnerPatches& block : blocks)
+  {
+    points += block.Points.size();
+    corners += block.Corners.size();
+    patches += block.Cycle.size();
+  }
+  result.Points.reserve(points);
+  result.Normals.reserve(points);
+  result.Corners.reserve(corners);
+  result.Cycle.reserve(patches);
+  for (InnerPatches& block : blocks)
+  {
+    for (Index i = 0; i < block.Count(); ++i)
+    {
+      result.Add(block, i);
+    }
+    block = {};
+  }
+  return TakeOutTouching(cells, filler, std::move(result), execution);
+}
+}

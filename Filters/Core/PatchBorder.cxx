@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatchBorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthoslices
+{
+namespace
+{
+/// Distance of inner points from the faces of their cell, as a part of the cell's width.
+constexpr double InnerMargin = 1e-5;
+
+Box3 RoomInside(const SpatialGrid& grid, const std::array<Index, 3>& cell)
+{
+  Box3 room;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    room.Low[axis] = -HUGE_VAL;
+    room.High[axis] = HUGE_VAL;
+    if (cell[axis] > 0)
+    {
+      room.Low[axis] = grid.MoveInside(axis, cell[axis], -HUGE_VAL, InnerMargin);
+    }
+    if (cell[axis] < grid.Count(axis))
+    {
+      room.High[axis] = grid.MoveInside(axis, cell[axis], HUGE_VAL, InnerMargin);
+    }
+  }
+  return room;
+}
+}
+
+void PatchBorder::Set(const CycleGeometry& geometry, const SurfaceNormals& normals, Index cycle)
+{
+  geometry.GetBoundary(cycle, this->Points, this->NodePlaces);
+  const std::size_t n = this->Points.size();
+  this->Places.resize(n);
+  this->Normals.resize(n);
+  this->Weights.assign(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const float* normal = normals.Normals.data() + 3 * static_cast<std::size_t>(this->Points[i]);
+    this->Places[i] = geometry.Graph.PointAt(this->Points[i]);
+    this->Normals[i] = { normal[0], normal[1], normal[2] };
+  }
+  CurveCenter center(this->Places[0]);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t j = i + 1 < n ? i + 1 : 0;
+    const double half = 0.5 * center.Add(this->Places[i], this->Places[j]);
+    this->Weights[i] += half;
+    this->Weights[j] += half;
+  }
+  this->Center = center.Get();
+  const double scale = center.TotalLength() > 0.0 ? 1.0 / center.TotalLength() : 0.0;
+  for (double& weight : this->Weights)
+  {
+    weight *= scale;
+  }
+  this->Room = RoomInside(geometry.Grid, geometry.Polygons.Cell[cycle]);
+}
+
+Point3 PatchBorder::MoveInside(const SpatialGrid& grid, const Point3& place) const
+{
+  Point3 inside;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    inside[axis] =
+      grid.Round(std::max(this->Room.Low[axis], std::min(this->Room.High[axis], place[axis])));
+  }
+  return inside;
+}
+
+void InnerPatch::Clear()
+{
+  this->Points.clear();
+  this->Normals.clear();
+  this->Triangles.clear();
+}
+
+Point3 PatchView::Turn(const Point3& d) const
+{
+  return { Dot(d, this->Axes[0]), Dot(d, this->Axes[1]), Dot(d, this->Axes[2]) };
+}
+
+Point3 PatchView::DirectionToWorld(const Point3& local) const
+{
+  return local[0] * this->Axes[0] + local[1] * this->Axes[1] + local[2] * this->Axes[2];
+}
+
+Point3 PatchView::ToWorld(const Point3& local) const
+{
+  return this->Origin + this->Unit * this->DirectionToWorld(local);
+}
+
+bool PatchView::Set(const PatchBorder& border)
+{
+  // Lines from nearer than that are of no use: most patches are less bent.
+  constexpr double mostBend = 1.2;
+  constexpr double nearest = 0.3;
+  const std::size_t n = border.Places.size();
+  this->Origin = border.Center;
+  Point3 normal{ 0.0, 0.0, 0.0 };
+  double radius2 = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    normal = normal + border.Weights[i] * border.Normals[i];
+    radius2 += border.Weights[i] * SquaredDistance(border.Center, border.Places[i]);
+  }
+  this->Unit = std::sqrt(radius2);
+  normal = orthoslices::Unit(normal);
+  if (!(this->Unit > 0.0) || Dot(normal, normal) == 0.0)
+  {
+    return false;
+  }
+  this->Axes = CompleteFrame(normal);
+  this->LocalPlaces.resize(n);
+  this->LocalNormals.resize(n);
+  double divergence = 0.0, extent = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Point3 p = this->LocalPlaces[i] = this->ToLocal(border.Places[i]);
+    const Point3 m = this->LocalNormals[i] = this->Turn(border.Normals[i]);
+    divergence += border.Weights[i] * (p[0] * m[0] + p[1] * m[1]);
+    extent += border.Weights[i] * (p[0] * p[0] + p[1] * p[1]);
+  }
+  this->Bend = extent > 0.0 ? divergence / extent : 0.0;
+  this->Bend = std::max(-mostBend, std::min(mostBend, this->Bend));
+  for (const Point3& p : this->LocalPlaces)
+  {
+    this->Bend = 1.0 + this->Bend * p[2] < nearest ? (nearest - 1.0) / p[2] : this->Bend;
+  }
+  this->Projected.resize(n);
+  std::transform(this->LocalPlaces.begin(), this->LocalPlaces.end(), this->Projected.begin(),
+    [this](const Point3& p) { return this->Project(p); });
+  return true;
+}
+
+double PatchView::Clamp(const Point2& p, const Box3& box, double z) const
+{
+  const Point3 from = this->ToWorld(this->OnLine(p, 0.0));
+  const Point3 along = this->Unit * this->DirectionToWorld(this->LineAt(p));
+  double low = -HUGE_VAL, high = HUGE_VAL;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (along[axis] != 0.0)
+    {
+      const double first = (box.Low[axis] - from[axis]) / along[axis];
+      const double last = (box.High[axis] - from[axis]) / along[axis];
+      low = std::max(low, std::min(first, last));
+      high = std::min(high, std::max(first, last));
+    }
+  }
+  return low <= high ? std::max(low, std::min(high, z)) : z;
+}
+
+bool PatchView::SeesAll(const InnerPatch& patch) const
+{
+  // Places are about 1, and known to some 1e-15.
+  constexpr double certain = 1e-12;
+  std::vector<Point2> inner(patch.Points.size());
+  for (std::size_t i = 0; i < inner.size(); ++i)
+  {
+    const Point3 local = this->ToLocal(patch.Points[i]);
+    if (!(1.0 + this->Bend * local[2] > 0.0))
+    {
+      return false;
+    }
+    inner[i] = this->Project(local);
+  }
+  const auto at = [&](Index corner) -> const Point2&
+  { return corner >= 0 ? this->Projected[corner] : inner[-1 - corner]; };
+  return std::all_of(patch.Triangles.begin(), patch.Triangles.end(),
+    [&](const std::array<Index, 3>& t)
+    {
+      const Point2 &a = at(t[0]), &b = at(t[1]), &c = at(t[2]);
+      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > certain;
+    });
+}
+}

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SmoothPatch.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+namespace
+{
+/// Slopes of the function along a line that say nothing of where it is zero.
+constexpr double LeastSlope = 0.1;
+/// How far zeros may lie from the heights of the border, in mean radii of it.
+constexpr double MostDeviation = 1.5;
+}
+
+/// In the plane.
+double SmoothPatchBuilder::SizeOfTriangles() const
+{
+  double size = this->Resolution.EdgeLength;
+  if (this->Resolution.ChordTolerance > 0.0)
+  {
+    // How much the normals change over the patch is its curvature; a chord lies length^2 / 8 of it
+    // off the surface.
+    double change = 0.0;
+    const std::vector<Point3>& places = this->View.Places();
+    const std::vector<Point3>& normals = this->View.Normals();
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      const double distance = std::hypot(places[i][0], places[i][1]);
+      const double tilt = std::hypot(normals[i][0], normals[i][1]);
+      change = distance > 0.0 ? std::max(change, tilt / std::max(distance, 0.5)) : change;
+    }
+    const double curvature = change / this->View.Radius();
+    const double length = std::sqrt(8.0 * this->Resolution.ChordTolerance / curvature);
+    size = std::min(size, length);
+  }
+  return size / this->View.Radius();
+}
+
+/// The mean height of the border, as seen from a point: where the surface cannot be far.
+double SmoothPatchBuilder::HeightAtBorder(const Point2& p) const
+{
+  double weights = 0.0, sum = 0.0;
+  const std::vector<Point2>& border = this->View.Border();
+  for (std::size_t i = 0; i < border.size(); ++i)
+  {
+    const double x = p[0] - border[i][0], y = p[1] - border[i][1];
+    const double w = 1.0 / (x * x + y * y + 1e-24);
+    weights += w;
+    sum += w * this->View.Places()[i][2];
+  }
+  return sum / weights;
+}
+
+/// Newton's method: with the polynomial, which costs little, and then with the function.
+bool SmoothPatchBuilder::FindHeight(const Point2& p, double guess, double& z) const
+{
+  constexpr double longest = 0.3;
+  constexpr double precision = 1e-8;
+  constexpr int most = 16;
+  const Point3 line = this->View.LineAt(p);
+  Point3 gradient;
+  z = guess;
+  bool polynomial = true;
+  for (int i = 0; i < most; ++i)
+  {
+    const Point3 at = this->View.OnLine(p, z);
+    const double value =
+      polynomial ? this->Surface.Polynomial(at, gradient) : this->Surface(at, gradient);
+    const double slope = Dot(gradient, line);
+    if (slope < LeastSlope)
+    {
+      return false;
+    }
+    const double step = std::max(-longest, std::min(longest, value / slope));
+    z -= step;
+    if (std::abs(step) < (polynomial ? 1e-3 : precision))
+    {
+      if (!polynomial)
+      {
+        return std::abs(z - guess) < MostDeviation;
+      }
+      polynomial = false;
+    }
+  }
+  return false;
+}
+
+/// The nearest place on a line at which the function passes from inside to outside.
+bool SmoothPatchBuilder::SearchHeight(const Point2& p, double guess, double& z) const
+{
+  constexpr double step = 0.06;
+  Point3 gradient;
+  const auto valueAt = [&](double height)
+  { return this->Surface(this->View.OnLine(p, height), gradient); };
+  double above = valueAt(guess), below = above;
+  for (double d = step; d < MostDeviation; d += step)
+  {
+    const double nextAbove = valueAt(guess + d), nextBelow = valueAt(guess - d);
+    const bool isAbove = above < 0.0 && nextAbove >= 0.0;
+    if (isAbove || (nextBelow < 0.0 && below >= 0.0))
+    {
+      double inside = isAbove ? guess + d - step : guess - d;
+      double outside = inside + step;
+      for (int i = 0; i < 30; ++i)
+      {
+        z = 0.5 * (inside + outside);
+        (valueAt(z) < 0.0 ? inside : outside) = z;
+      }
+      return true;
+    }
+    above = nextAbove;
+    below = nextBelow;
+  }
+  return false;
+}
+
+void SmoothPatchBuilder::PlacePoint(
+  const PatchBorder& border, const Point2& p, InnerPatch& patch) const
+{
+  const double guess = this->HeightAtBorder(p);
+  double z;
+  if (!this->FindHeight(p, guess, z) && !this->SearchHeight(p, guess, z))
+  {
+    z = guess;
+  }
+  // Along the line, unless that is much farther, as where the line runs along a face of the cell.
+  constexpr double farther = 3.0;
+  const Point3 wanted = this->View.ToWorld(this->View.OnLine(p, z));
+  const Point3 nearest = border.MoveInside(this->Grid, wanted);
+  const Point3 onLine =
+    this->View.ToWorld(this->View.OnLine(p, this->View.Clamp(p, border.Room, z)));
+  const bool isNear =
+    SquaredDistance(wanted, onLine) <= farther * farther * SquaredDistance(wanted, nearest);
+  const Point3 place = isNear ? border.MoveInside(this->Grid, onLine) : nearest;
+  const Point3 local = this->View.ToLocal(place);
+  patch.Points.push_back(place);
+  patch.Normals.push_back(Unit(this->View.DirectionToWorld(this->Surface.Gradient(local))));
+}
+
+bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)
+{
+  patch.Clear();
+  if (!this->View.Set(border) ||
+    !this->Surface.Fit(this->View.Places(), this->View.Normals(), border.Weights))
+  {
+    return false;
+  }
+  const std::vector<Point2>& polygon = this->View.Border();
+  if (!this->Disc.StartWithFan(polygon, { 0.0, 0.0 }) && !this->Disc.StartWithEars(polygon))
+  {
+    return false;
+  }
+  const Index n = border.Count();
+  const std::size_t mostPoints = 10 * polygon.size() + 2000;
+  this->Disc.MakeDelaunay();
+  this->Disc.Refine(this->SizeOfTriangles(), mostPoints);
+  // A side between two points of the border might lie on a face of the cell.
+  this->Disc.SplitSides([n](Index a, Index b) { return a < n && b < n; });
+  for (std::size_t i = polygon.size(); i < this->Disc.Points.size(); ++i)
+  {
+    this->PlacePoint(border, this->Disc.Points[i], patch);
+  }
+  for (const DiscTriangulation::Triangle& triangle : this->Disc.Triangles)
+  {
+    std::array<Index, 3> corners = triangle.Corners;
+    for (Index& corner : corners)
+    {
+      corner = corner < n ? corner : n - 1 - corner;
+    }
+    patch.Triangles.push_back(corners);
+  }
+  return !patch.Points.empty() && this->View.SeesAll(patch);
+}
+}

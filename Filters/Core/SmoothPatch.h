@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesSmoothPatch_h
+#define OrthoSlicesSmoothPatch_h
+
+#include "DiscTriangulation.h"
+#include "PatchBorder.h"
+#include "SmoothSurface.h"
+
+namespace orthoslices
+{
+/// How fine patches are.
+struct PatchResolution
+{
+  double EdgeLength = 0.0; ///< of the sides of triangles, in world units
+  /// Greatest distance of a side's middle from the surface, in world units; 0 for any. Then sides
+  /// are as short as that asks, EdgeLength at most.
+  double ChordTolerance = 0.0;
+};
+
+/**
+ * Builds smooth patches (our own addition): the border seen in the plane (PatchView) is
+ * triangulated with points inside (DiscTriangulation), and each of these is moved along its line
+ * to where a smooth surface is (SmoothSurface), but not out of the cell.
+ */
+class SmoothPatchBuilder
+{
+public:
+  SmoothPatchBuilder(const SpatialGrid& grid, const PatchResolution& resolution)
+    : Grid(grid)
+    , Resolution(resolution)
+  {
+  }
+
+  /// False if the border cannot be seen as a whole or leaves no room for the precision.
+  bool Build(const PatchBorder& border, InnerPatch& patch);
+  /// How far the border of the last patch lies off a surface without creases, in world units.
+  double Deviation() const { return this->View.Radius() * this->Surface.Deviation(); }
+
+private:
+  double SizeOfTriangles() const;
+  double HeightAtBorder(const Point2& p) const;
+  bool FindHeight(const Point2& p, double guess, double& z) const;
+  bool SearchHeight(const Point2& p, double guess, double& z) const;
+  void PlacePoint(const PatchBorder& border, const Point2& p, InnerPatch& patch) const;
+
+  const SpatialGrid& Grid;
+  PatchResolution Resolution;
+  PatchView View;
+  SmoothSurface Surface;
+  DiscTriangulation Disc;
+};
+}
+
+#endif

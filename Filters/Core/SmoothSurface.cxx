@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SmoothSurface.h"
+
+#include "LeastSquares.h"
+#include "Vectors.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+namespace
+{
+constexpr int Degree = 4;
+
+/// Number of the monomial x^i y^j among those of all degrees: 1, x, y, x^2, xy, y^2, ...
+constexpr int Number(int i, int j) { return (i + j) * (i + j + 1) / 2 + j; }
+
+/// Calls visit(number, i, j) for all monomials up to a degree.
+template <typename Visit>
+void ForMonomials(int degree, Visit&& visit)
+{
+  int number = 0;
+  for (int d = 0; d <= degree; ++d)
+  {
+    for (int j = 0; j <= d; ++j)
+    {
+      visit(number++, d - j, j);
+    }
+  }
+}
+
+/// All monomials up to a degree, times a factor.
+template <int Count>
+void Evaluate(double x, double y, double factor, double (&values)[Count])
+{
+  values[0] = factor;
+  int before = 0;
+  for (int d = 1, at = 1; at < Count; ++d)
+  {
+    for (int j = 0; j < d; ++j)
+    {
+      values[at + j] = x * values[before + j];
+    }
+    values[at + d] = y * values[before + d - 1];
+    before = at;
+    at += d + 1;
+  }
+}
+
+/// Keeps coefficients small of which the border says little: the flattest surface is taken.
+constexpr double Flattening[Degree + 1] = { 1e-12, 1e-12, 1e-7, 1e-5, 1e-4 };
+}
+
+bool SmoothSurface::Fit(const std::vector<Point3>& zeros, const std::vector<Point3>& gradients,
+  const std::vector<double>& weights)
+{
+  double moments[Moments] = {};
+  double withZ[Terms] = {}, withX[10] = {}, withY[10] = {};
+  double zz = 0.0, gz = 0.0;
+  for (std::size_t i = 0; i < zeros.size(); ++i)
+  {
+    const Point3 &p = zeros[i], &g = gradients[i];
+    double values[Moments];
+    Evaluate(p[0], p[1], weights[i], values);
+    for (int k = 0; k < Moments; ++k)
+    {
+      moments[k] += values[k];
+    }
+    for (int k = 0; k < Terms; ++k)
+    {
+      withZ[k] += p[2] * values[k];
+    }
+    for (int k = 0; k < 10; ++k)
+    {
+      withX[k] += g[0] * values[k];
+      withY[k] += g[1] * values[k];
+    }
+    zz += weights[i] * (p[2] * p[2] + 1.0);
+    gz += weights[i] * g[2];
+  }
+  double matrix[Terms + 1][Terms + 1];
+  ForMonomials(Degree,
+    [&](int row, int i, int j)
+    {
+      double right = i > 0 ? i * withX[Number(i - 1, j)] : 0.0;
+      right += j > 0 ? j * withY[Number(i, j - 1)] : 0.0;
+      this->Coefficients[row] = right;
+      matrix[Terms][row] = withZ[row];
+      ForMonomials(Degree,
+        [&](int column, int k, int l)
+        {
+          double sum = moments[Number(i + k, j + l)];
+          sum += i > 0 && k > 0 ? i * k * moments[Number(i + k - 2, j + l)] : 0.0;
+          sum += j > 0 && l > 0 ? j * l * moments[Number(i + k, j + l - 2)] : 0.0;
+          matrix[row][column] = sum;
+        });
+      matrix[row][row] += Flattening[i + j];
+    });
+  matrix[Terms][Terms] = zz;
+  this->Coefficients[Terms] = gz;
+  if (!Factorize(matrix))
+  {
+    return false;
+  }
+  Substitute(matrix, this->Coefficients);
+  this->SetResidual(zeros, gradients, weights);
+  return true;
+}
+
+void SmoothSurface::SetResidual(const std::vector<Point3>& zeros,
+  const std::vector<Point3>& gradients, const std::vector<double>& weights)
+{
+  this->Residuals.resize(zeros.size());
+  for (std::size_t i = 0; i < zeros.size(); ++i)
+  {
+    Point3 gradient;
+    const double value = this->Polynomial(zeros[i], gradient);
+    this->Residuals[i] = { weights[i], zeros[i], -value, gradients[i] - gradient };
+  }
+}
+
+double SmoothSurface::Deviation() const
+{
+  double sum = 0.0;
+  for (const Residual& r : this->Residuals)
+  {
+    sum += r.Weight * r.Value * r.Value;
+  }
+  return std::sqrt(sum);
+}
+
+double SmoothSurface::Polynomial(const Point3& p, Point3& gradient) const
+{
+  const double* c = this->Coefficients;
+  const double x = p[0], y = p[1];
+  // Horner's rule in y for each power of x.
+  const double c0 = c[0] + y * (c[2] + y * (c[5] + y * (c[9] + y * c[14])));
+  const double c1 = c[1] + y * (c[4] + y * (c[8] + y * c[13]));
+  const double c2 = c[3] + y * (c[7] + y * c[12]);
+  const double c3 = c[6] + y * c[11];
+  const double c4 = c[10];
+  const double d0 = c[2] + y * (2.0 * c[5] + y * (3.0 * c[9] + y * 4.0 * c[14]));
+  const double d1 = c[4] + y * (2.0 * c[8] + y * 3.0 * c[13]);
+  const double d2 = c[7] + y * 2.0 * c[12];
+  const double d3 = c[11];
+  gradient = { c1 + x * (2.0 * c2 + x * (3.0 * c3 + x * 4.0 * c4)),
+    d0 + x * (d1 + x * (d2 + x * d3)), c[Terms] };
+  return c0 + x * (c1 + x * (c2 + x * (c3 + x * c4))) + c[Terms] * p[2];
+}
+
+double SmoothSurface::operator()(const Point3& p, Point3& gradient) const
+{
+  double weights = 0.0, values = 0.0, gx = 0.0, gy = 0.0, gz = 0.0;
+  for (const Residual& r : this->Residuals)
+  {
+    const double dx = p[0] - r.Place[0], dy = p[1] - r.Place[1], dz = p[2] - r.Place[2];
+    const double squared = dx * dx + dy * dy + dz * dz + 1e-24;
+    const double w = r.Weight / (squared * squared);
+    weights += w;
+    values += w * (r.Value + r.Gradient[0] * dx + r.Gradient[1] * dy + r.Gradient[2] * dz);
+    gx += w * r.Gradient[0];
+    gy += w * r.Gradient[1];
+    gz += w * r.Gradient[2];
+  }
+  const double inverse = 1.0 / weights;
+  const double value = this->Polynomial(p, gradient);
+  gradient = gradient + inverse * Point3{ gx, gy, gz };
+  return value + inverse * values;
+}
+
+Point3 SmoothSurface::Gradient(const Point3& p) const
+{
+  double weights = 0.0, values = 0.0;
+  Point3 sum{ 0.0, 0.0, 0.0 }, changes{ 0.0, 0.0, 0.0 }, changesOfValues{ 0.0, 0.0, 0.0 };
+  for (const Residual& r : this->Residuals)
+  {
+    const Point3 d = p - r.Place;
+    const double squared = Dot(d, d) + 1e-24;
+    const double w = r.Weight / (squared * squared);
+    const double value = r.Value + Dot(r.Gradient, d);
+    const Point3 change = (-4.0 * w / squared) * d;
+    weights += w;
+    values += w * value;
+    sum = sum + w * r.Gradient;
+    changes = changes + change;
+    changesOfValues = changesOfValues + value * change;
+  }
+  Point3 gradient;
+  this->Polynomial(p, gradient);
+  return gradient + (1.0 / weights) * (sum + changesOfValues - (values / weights) * changes);
+}
+}

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesSmoothSurface_h
+#define OrthoSlicesSmoothSurface_h
+
+#include "Types.h"
+
+namespace orthoslices
+{
+/**
+ * The function whose zeros are a smooth patch: near its distance, positive outside (our own
+ * addition). It has given zeros and gradients, which are the border of the patch and its normals.
+ *
+ * First, the function a z + p(x, y) with a polynomial p of degree four that fits zeros and gradients
+ * best, in local coordinates with z along the mean normal. What that leaves at the border is
+ * interpolated inwards from there by the inverse distance method with gradients (D. Shepard, 1968)
+ * and added. The gradient at the border is the given one, whatever the polynomial is: patches that
+ * have an arc and its normals in common meet with a common tangent plane. The polynomial has the
+ * accuracy: its error grows with the fifth power of the size of the patch.
+ */
+class SmoothSurface
+{
+public:
+  /// False if zeros and gradients determine no function. `weights` have the sum 1.
+  bool Fit(const std::vector<Point3>& zeros, const std::vector<Point3>& gradients,
+    const std::vector<double>& weights);
+
+  /// The polynomial alone.
+  double Polynomial(const Point3& p, Point3& gradient) const;
+  /// The function; its gradient leaves out how the weights of the inverse distances change.
+  double operator()(const Point3& p, Point3& gradient) const;
+  Point3 Gradient(const Point3& p) const;
+  /// Root mean square of what the polynomial leaves at the border.
+  double Deviation() const;
+
+private:
+  static constexpr int Terms = 15;
+  static constexpr int Moments = 45; ///< of two coordinates, up to degree eight
+  void SetResidual(const std::vector<Point3>& zeros, const std::vector<Point3>& gradients,
+    const std::vector<double>& weights);
+
+  double Coefficients[Terms + 1] = {}; ///< of p, and a
+
+  /// What the polynomial leaves at a point of the border.
+  struct Residual
+  {
+    double Weight;
+    Point3 Place;
+    double Value;
+    Point3 Gradient;
+  };
+  std::vector<Residual> Residuals;
+};
+}
+
+#endif

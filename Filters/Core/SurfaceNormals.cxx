@@ -1,0 +1,399 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceNormals.h"
+
+#include "ContourTangents.h"
+#include "Vectors.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+namespace
+{
+/// Of the mean plane spacing: the length of contour, before and after a point, to which its tangent
+/// is fitted; at most, where there is noise; and within which a contour turns at a corner.
+constexpr double LeastWindow = 0.15;
+constexpr double MostWindow = 1.5;
+constexpr double CornerReach = 0.12;
+
+/// Node points closer than this along a contour, as a part of the mean plane spacing, count as one.
+constexpr double MergedNodes = 0.2;
+
+/// Sine of the angle between the contours of a node point below which they give no normal.
+constexpr double LeastSine = 0.15;
+
+/// The points of a contour in G, in order from a crossing.
+struct ContourRing
+{
+  int Axis = 0;
+  double Spacing = 0.0; ///< the lesser mean spacing of the planes across the contour
+  std::vector<Index> Points;
+  std::vector<Index> Crossing; ///< of each point, or None
+  ContourCurve Curve;
+};
+
+/// What is known of the tilt at a place on a contour.
+struct TiltSample
+{
+  double Length; ///< along the contour
+  double Tilt;
+  double Weight;
+  double Slope;
+  bool CornerAfter; ///< between this sample and the next
+};
+
+class NormalEstimator
+{
+public:
+  NormalEstimator(const CycleGeometry& geometry, double cornerAngle)
+    : Geometry(geometry)
+    , Code(geometry.Grid)
+    , CornerAngle(cornerAngle)
+    , ArcTangents(geometry.Graph.Count())
+    , CrossingTangents(geometry.Lattice.Count())
+    , NodeNormals(geometry.Nodes.Count())
+  {
+    this->Result.Normals.assign(3 * static_cast<std::size_t>(geometry.Graph.Count()), 0.0f);
+    this->Result.Corners.assign(geometry.Graph.Count(), 0);
+  }
+
+  SurfaceNormals Run(const Execution& execution);
+
+private:
+  /// The tangent at a point, of unit length, as floats: as many as there are contour points.
+  using Tangent = std::array<float, 2>;
+
+  std::array<std::vector<Index>, 3> FindRings() const;
+  int AxisOf(Index crossing) const;
+  void SetRing(Index start, ContourRing& ring) const;
+  Tangent& TangentAt(const ContourRing& ring, Index i)
+  {
+    return ring.Crossing[i] == Crossings::None ? this->ArcTangents[ring.Points[i]]
+                                               : this->CrossingTangents[ring.Crossing[i]];
+  }
+  void FindTangents(ContourRing& ring);
+  Point3 NodeNormal(Index node) const;
+  Point3 ContourTangent(Index crossing, int axis) const;
+  std::vector<TiltSample> SampleTilt(const ContourRing& ring);
+  void WriteNormals(const ContourRing& ring);
+  void WriteLoop(Index loop);
+
+  const CycleGeometry& Geometry;
+  GridEdgeCode Code;
+  double CornerAngle;
+  std::vector<Tangent> ArcTangents;
+  std::vector<Tangent> CrossingTangents;
+  std::vector<std::array<float, 3>> NodeNormals; ///< as long as the sine of the contours' angle
+  SurfaceNormals Result;
+};
+
+/// Of the slice of a crossing's contour.
+int NormalEstimator::AxisOf(Index crossing) const
+{
+  const int direction = this->Code.Decode(this->Geometry.Lattice.Edge[crossing]).Direction;
+  return this->Geometry.Lattice.Family[crossing] == 0 ? FirstAxis(direction)
+                                                      : SecondAxis(direction);
+}
+
+/// One crossing of each contour, by the axis of its slice.
+std::array<std::vector<Index>, 3> NormalEstimator::FindRings() const
+{
+  const Crossings& lattice = this->Geometry.Lattice;
+  std::array<std::vector<Index>, 3> starts;
+  std::vector<std::uint8_t> seen(lattice.Count(), 0);
+  for (Index start = 0; start < lattice.Count(); ++start)
+  {
+    if (seen[start] != 0 || lattice.IsRemoved(start))
+    {
+      continue;
+    }
+    starts[this->AxisOf(start)].push_back(start);
+    for (Index c = start; seen[c] == 0; c = lattice.Next[c])
+    {
+      seen[c] = 1;
+    }
+  }
+  return starts;
+}
+
+void NormalEstimator::SetRing(Index start, ContourRing& ring) const
+{
+  const NodeGraph& graph = this->Geometry.Graph;
+  const Crossings& lattice = this->Geometry.Lattice;
+  ring.Axis = this->AxisOf(start);
+  const int u = FirstAxis(ring.Axis), v = SecondAxis(ring.Axis);
+  ring.Spacing = std::min(this->Geometry.Grid.MeanSpacing(u), this->Geometry.Grid.MeanSpacing(v));
+  ring.Points.clear();
+  ring.Crossing.clear();
+  Index c = start;
+  do
+  {
+    ring.Points.push_back(this->Geometry.Nodes.NodeOf[c]);
+    ring.Crossing.push_back(c);
+    for (Index i = 0; i < graph.PointCount(c); ++i)
+    {
+      ring.Points.push_back(graph.FirstPoint(c) + i);
+      ring.Crossing.push_back(Crossings::None);
+    }
+    c = lattice.Next[c];
+  } while (c != start);
+  std::vector<Point2> points(ring.Points.size());
+  std::transform(ring.Points.begin(), ring.Points.end(), points.begin(),
+    [&](Index point) -> Point2
+    {
+      const Point3 p = graph.PointAt(point);
+      return { p[u], p[v] };
+    });
+  ring.Curve.Set(std::move(points));
+  ring.Curve.FindCorners(CornerReach * ring.Spacing, this->CornerAngle);
+}
+
+void NormalEstimator::FindTangents(ContourRing& ring)
+{
+  const double window =
+    ring.Curve.SuitableWindow(LeastWindow * ring.Spacing, MostWindow * ring.Spacing);
+  for (Index i = 0; i < ring.Curve.Count(); ++i)
+  {
+    const Point2 tangent = ring.Curve.FitAt(i, window).Tangent;
+    this->TangentAt(ring, i) = { static_cast<float>(tangent[0]), static_cast<float>(tangent[1]) };
+  }
+}
+
+Point3 NormalEstimator::ContourTangent(Index crossing, int axis) const
+{
+  Point3 tangent{ 0.0, 0.0, 0.0 };
+  tangent[FirstAxis(axis)] = this->CrossingTangents[crossing][0];
+  tangent[SecondAxis(axis)] = this->CrossingTangents[crossing][1];
+  return tangent;
+}
+
+/// From the tangents of both contours; zero where they do not agree on which side is outside.
+Point3 NormalEstimator::NodeNormal(Index node) const
+{
+  const Index first = this->Geometry.Nodes.First[node];
+  const Index second = this->Geometry.Nodes.Second[node];
+  const int t = this->Code.Decode(this->Geometry.Lattice.Edge[first]).Direction;
+  const Point3 a = this->ContourTangent(first, FirstAxis(t));
+  const Point3 b = this->ContourTangent(second, SecondAxis(t));
+  const Point3 normal = Cross(a, b);
+  // Outside is on the right of a contour.
+  const auto outwards = [&](const Point3& along, int axis)
+  {
+    return normal[FirstAxis(axis)] * along[SecondAxis(axis)] -
+      normal[SecondAxis(axis)] * along[FirstAxis(axis)];
+  };
+  const double ofFirst = outwards(a, FirstAxis(t)), ofSecond = outwards(b, SecondAxis(t));
+  return ofFirst * ofSecond > 0.0 ? (ofFirst > 0.0 ? 1.0 : -1.0) * normal : Point3{ 0.0, 0.0, 0.0 };
+}
+
+/// The tilt at the node points, with slopes.
+std::vector<TiltSample> NormalEstimator::SampleTilt(const ContourRing& ring)
+{
+  const int u = FirstAxis(ring.Axis), v = SecondAxis(ring.Axis);
+  std::vector<TiltSample> samples;
+  bool corner = false; // since the last sample
+  bool firstCorner = false;
+  for (Index i = 0; i < ring.Curve.Count(); ++i)
+  {
+    corner |= ring.Curve.IsCorner(i);
+    if (ring.Crossing[i] == Crossings::None)
+    {
+      continue;
+    }
+    const std::array<float, 3>& normal = this->NodeNormals[ring.Points[i]];
+    const Tangent& tangent = this->TangentAt(ring, i);
+    const double weight =
+      double(normal[0]) * normal[0] + double(normal[1]) * normal[1] + double(normal[2]) * normal[2];
+    if (weight < LeastSine * LeastSine || ring.Curve.IsCorner(i))
+    {
+      continue;
+    }
+    const double right = double(normal[u]) * tangent[1] - double(normal[v]) * tangent[0];
+    const double tilt = std::atan2(double(normal[ring.Axis]), right);
+    const double length = ring.Curve.LengthTo(i);
+    if (!samples.empty())
+    {
+      samples.back().CornerAfter = corner;
+    }
+    else
+    {
+      firstCorner = corner;
+    }
+    if (!samples.empty() && !corner && length - samples.back().Length < MergedNodes * ring.Spacing)
+    {
+      TiltSample& last = samples.back();
+      const double total = last.Weight + weight;
+      last.Length += weight / total * (length - last.Length);
+      last.Tilt += weight / total * (tilt - last.Tilt);
+      last.Weight = total;
+    }
+    else
+    {
+      samples.push_back({ length, tilt, weight, 0.0, false });
+    }
+    corner = false;
+  }
+  if (!samples.empty())
+  {
+    samples.back().CornerAfter = corner || firstCorner;
+  }
+  const std::size_t n = samples.size();
+  const double total = ring.Curve.LengthTo(ring.Curve.Count());
+  for (std::size_t i = 0; i < n && n > 2; ++i)
+  {
+    const TiltSample &p = samples[i > 0 ? i - 1 : n - 1], &q = samples[i + 1 < n ? i + 1 : 0];
+    TiltSample& s = samples[i];
+    const double before = s.Length - p.Length + (i > 0 ? 0.0 : total);
+    const double after = q.Length - s.Length + (i + 1 < n ? 0.0 : total);
+    if (!p.CornerAfter && !s.CornerAfter && before > 0.0 && after > 0.0)
+    {
+      s.Slope = ((s.Tilt - p.Tilt) / before * after + (q.Tilt - s.Tilt) / after * before) /
+        (before + after);
+    }
+  }
+  return samples;
+}
+
+/// The tilt between two samples, `share` of the way along.
+double InterpolateTilt(const TiltSample& p, const TiltSample& q, double length, double x)
+{
+  if (p.CornerAfter)
+  {
+    return x < 0.5 ? p.Tilt : q.Tilt;
+  }
+  constexpr double right = 1.5707963267948966;
+  const double y = 1.0 - x;
+  const double tilt = y * y * (1.0 + 2.0 * x) * p.Tilt + x * x * (1.0 + 2.0 * y) * q.Tilt +
+    length * x * y * (y * p.Slope - x * q.Slope);
+  return std::max(-right, std::min(right, tilt));
+}
+
+void NormalEstimator::WriteNormals(const ContourRing& ring)
+{
+  const int u = FirstAxis(ring.Axis), v = SecondAxis(ring.Axis);
+  const std::vector<TiltSample> samples = this->SampleTilt(ring);
+  const std::size_t n = samples.size();
+  const double total = ring.Curve.LengthTo(ring.Curve.Count());
+  std::size_t next = 0;
+  for (Index i = 0; i < ring.Curve.Count(); ++i)
+  {
+    const double length = ring.Curve.LengthTo(i);
+    while (next < n && samples[next].Length <= length)
+    {
+      ++next;
+    }
+    double tilt = 0.0;
+    if (n > 0)
+    {
+      const TiltSample &p = samples[next > 0 ? next - 1 : n - 1], &q = samples[next < n ? next : 0];
+      const double gone = length - p.Length + (next > 0 ? 0.0 : total);
+      const double step = q.Length - p.Length + (next > 0 && next < n ? 0.0 : total);
+      tilt = n > 1 && step > 0.0 ? InterpolateTilt(p, q, step, gone / step) : p.Tilt;
+    }
+    const Tangent& tangent = this->TangentAt(ring, i);
+    Point3 normal;
+    normal[u] = std::cos(tilt) * tangent[1];
+    normal[v] = -std::cos(tilt) * tangent[0];
+    normal[ring.Axis] = std::sin(tilt);
+    float* out = this->Result.Normals.data() + 3 * static_cast<std::size_t>(ring.Points[i]);
+    if (ring.Crossing[i] == Crossings::None)
+    {
+      std::copy(normal.begin(), normal.end(), out);
+    }
+    else if (n > 0)
+    {
+      // Of both contours of a node point, whose own normal says nothing.
+      const std::array<float, 3>& own = this->NodeNormals[ring.Points[i]];
+      const bool known =
+        double(own[0]) * own[0] + double(own[1]) * own[1] + double(own[2]) * own[2] >=
+        LeastSine * LeastSine;
+      for (int k = 0; k < 3; ++k)
+      {
+        out[k] = known ? own[k] : out[k] + static_cast<float>(normal[k]);
+      }
+    }
+    if (ring.Curve.IsCorner(i))
+    {
+      this->Result.Corners[ring.Points[i]] = 1;
+    }
+  }
+}
+
+void NormalEstimator::WriteLoop(Index loop)
+{
+  const NodeGraph& graph = this->Geometry.Graph;
+  const int axis = graph.Loops[loop].Axis;
+  const Index first = graph.FirstPoint(graph.Arcs + loop), n = graph.PointCount(graph.Arcs + loop);
+  for (Index i = 0; i < n; ++i)
+  {
+    const Point3 along =
+      graph.PointAt(first + (i + 1) % n) - graph.PointAt(first + (i + n - 1) % n);
+    Point3 up{ 0.0, 0.0, 0.0 };
+    up[axis] = 1.0;
+    const Point3 normal = Unit(Cross(along, up));
+    std::copy(normal.begin(), normal.end(),
+      this->Result.Normals.begin() + 3 * static_cast<std::size_t>(first + i));
+  }
+}
+
+SurfaceNormals NormalEstimator::Run(const Execution& execution)
+{
+  const std::array<std::vector<Index>, 3> starts = this->FindRings();
+  // Contours of one axis have no points in common.
+  const auto forRings = [&](auto&& visit)
+  {
+    for (const std::vector<Index>& ofAxis : starts)
+    {
+      execution.For(ofAxis.size(),
+        [&](std::size_t begin, std::size_t end)
+        {
+          ContourRing ring;
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            this->SetRing(ofAxis[i], ring);
+            visit(ring);
+          }
+        });
+    }
+  };
+  forRings([this](ContourRing& ring) { this->FindTangents(ring); });
+  execution.For(this->NodeNormals.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t node = begin; node < end; ++node)
+      {
+        const Point3 normal = this->NodeNormal(static_cast<Index>(node));
+        std::copy(normal.begin(), normal.end(), this->NodeNormals[node].begin());
+      }
+    });
+  forRings([this](ContourRing& ring) { this->WriteNormals(ring); });
+  for (std::size_t loop = 0; loop < this->Geometry.Graph.Loops.size(); ++loop)
+  {
+    this->WriteLoop(static_cast<Index>(loop));
+  }
+  execution.For(this->Geometry.Graph.Count(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (float* n = this->Result.Normals.data() + 3 * begin;
+           n != this->Result.Normals.data() + 3 * end; n += 3)
+      {
+        const Point3 unit = Unit({ n[0], n[1], n[2] });
+        std::copy(unit.begin(), unit.end(), n);
+      }
+    });
+  const auto& corners = this->Result.Corners;
+  if (std::none_of(corners.begin(), corners.end(), [](std::uint8_t c) { return c != 0; }))
+  {
+    this->Result.Corners.clear();
+  }
+  return std::move(this->Result);
+}
+}
+
+SurfaceNormals EstimateNormals(
+  const CycleGeometry& geometry, double cornerAngle, const Execution& execution)
+{
+  return NormalEstimator(geometry, cornerAngle).Run(execution);
+}
+}
