@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataBridge.h"
+#include "SurfaceArrays.h"
 #include "WritePoints.h"
 
 #include "vtkCellArray.h"
@@ -251,44 +252,6 @@ void FillCellArrays(Reconstruction& result, double reportTolerance, vtkCellData*
   }
 }
 
-/// Sums the area vectors of the triangles at each point; in a fixed order, so always the same.
-template <typename Coordinate, typename Id>
-void SumAreas(const Coordinate* xyz, const Id* triangle, vtkIdType count, float* normals)
-{
-  for (const Id* end = triangle + 3 * count; triangle != end; triangle += 3)
-  {
-    const Coordinate* a = xyz + 3 * static_cast<vtkIdType>(triangle[0]);
-    const Coordinate* b = xyz + 3 * static_cast<vtkIdType>(triangle[1]);
-    const Coordinate* c = xyz + 3 * static_cast<vtkIdType>(triangle[2]);
-    const double ab[3] = { double(b[0]) - a[0], double(b[1]) - a[1], double(b[2]) - a[2] };
-    const double ac[3] = { double(c[0]) - a[0], double(c[1]) - a[1], double(c[2]) - a[2] };
-    const float area[3] = { static_cast<float>(ab[1] * ac[2] - ab[2] * ac[1]),
-      static_cast<float>(ab[2] * ac[0] - ab[0] * ac[2]),
-      static_cast<float>(ab[0] * ac[1] - ab[1] * ac[0]) };
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      float* normal = normals + 3 * static_cast<vtkIdType>(triangle[corner]);
-      normal[0] += area[0];
-      normal[1] += area[1];
-      normal[2] += area[2];
-    }
-  }
-}
-
-template <typename Coordinate>
-void SumAreas(const Coordinate* xyz, vtkCellArray* cells, float* normals)
-{
-  const vtkIdType count = cells->GetNumberOfCells();
-  if (cells->IsStorage64Bit())
-  {
-    SumAreas(xyz, cells->GetConnectivityArray64()->GetPointer(0), count, normals);
-  }
-  else
-  {
-    SumAreas(xyz, cells->GetConnectivityArray32()->GetPointer(0), count, normals);
-  }
-}
-
 /// Normals of the smooth surface at all points, zero where there is none; empty if there are none
 /// at all.
 std::vector<float> ListSmoothNormals(const Reconstruction& result, vtkIdType points)
@@ -316,46 +279,6 @@ std::vector<float> ListSmoothNormals(const Reconstruction& result, vtkIdType poi
     copy(first + 3, last, result.Surface.InnerPointId(i));
   }
   return normals;
-}
-
-/// Normals of the triangles around each point, or the smooth ones, unless the two contradict each
-/// other.
-void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Execution& execution)
-{
-  constexpr float similar = 0.5f;
-  const vtkIdType count = surface->GetNumberOfPoints();
-  vtkNew<vtkFloatArray> normals;
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(count);
-  normals->Fill(0.0);
-  float* out = normals->GetPointer(0);
-  vtkDataArray* points = surface->GetPoints()->GetData();
-  if (auto* doubles = vtkDoubleArray::FastDownCast(points))
-  {
-    SumAreas(doubles->GetPointer(0), surface->GetPolys(), out);
-  }
-  else
-  {
-    SumAreas(vtkFloatArray::FastDownCast(points)->GetPointer(0), surface->GetPolys(), out);
-  }
-  execution.For(count,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        float* n = out + 3 * i;
-        const double length = std::hypot(double(n[0]), double(n[1]), double(n[2]));
-        const double scale = length > 0.0 ? 1.0 / length : 0.0;
-        std::transform(n, n + 3, n, [&](float x) { return static_cast<float>(scale * x); });
-        const float* s = smooth.empty() ? n : smooth.data() + 3 * i;
-        if (s[0] * n[0] + s[1] * n[1] + s[2] * n[2] > similar)
-        {
-          std::copy_n(s, 3, n);
-        }
-      }
-    });
-  surface->GetPointData()->SetNormals(normals);
 }
 
 void AddFieldData(const Reconstruction& result, vtkFieldData* data)
@@ -394,9 +317,10 @@ Pieces ReadPieces(vtkPolyData* input, int axis, bool doublePrecision)
 }
 
 void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool doublePrecision,
-  bool normals, double reportTolerance, vtkPolyData* surface)
+  const SurfaceArrayOptions& arrays, double reportTolerance, vtkPolyData* surface)
 {
   Reconstruction result = std::move(consumed);
+  const bool withNormals = arrays.Normals || arrays.Curvatures;
   const vtkIdType graphPoints = result.Graph.Count();
   const vtkIdType allCenters = graphPoints + result.Polygons.Count();
   std::vector<double> otherPoints = ListOtherPoints(result.Surface);
@@ -423,12 +347,17 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   AddFieldData(result, surface->GetFieldData());
   AddDisagreement(result, surface->GetNumberOfPoints(), surface->GetPointData());
   const std::vector<float> smooth =
-    normals ? ListSmoothNormals(result, allPoints) : std::vector<float>();
+    withNormals ? ListSmoothNormals(result, allPoints) : std::vector<float>();
   FillCellArrays(result, reportTolerance, surface->GetCellData());
   result = Reconstruction();
-  if (normals)
+  AddQuality(surface, execution);
+  if (withNormals)
   {
     AddNormals(surface, smooth, execution);
+  }
+  if (arrays.Curvatures)
+  {
+    AddCurvatures(surface);
   }
 }
 }

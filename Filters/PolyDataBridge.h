@@ -22,13 +22,20 @@ namespace orthoslices
  */
 Pieces ReadPieces(vtkPolyData* input, int axis, bool doublePrecision);
 
+/// Which optional arrays port 0 gets.
+struct SurfaceArrayOptions
+{
+  bool Normals = true;
+  bool Curvatures = false;
+};
+
 /**
  * Port 0: triangles, cell arrays, normals, field data; see vtkOrthogonalSliceReconstruction.
  * Consumes the result: each part is released as soon as it is written, because this is where
  * memory peaks.
  */
 void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool doublePrecision,
-  bool normals, double reportTolerance, vtkPolyData* surface);
+  const SurfaceArrayOptions& arrays, double reportTolerance, vtkPolyData* surface);
 
 /// Port 1: the graph G, the repairs and the isolated contours.
 void WriteGraph(const Reconstruction& result, bool doublePrecision, vtkPolyData* graph);

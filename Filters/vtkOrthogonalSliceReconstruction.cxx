@@ -7,6 +7,7 @@
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -289,7 +290,12 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   for (const auto& tolerance : { std::make_pair("PlaneTolerance", this->PlaneTolerance),
          std::make_pair("ReportTolerance", this->ReportTolerance),
          std::make_pair("MinimumComponentSize", this->MinimumComponentSize),
-         std::make_pair("MinimumIsolatedContourSize", this->MinimumIsolatedContourSize) })
+         std::make_pair("MinimumIsolatedContourSize", this->MinimumIsolatedContourSize),
+         std::make_pair("EdgeLength", this->EdgeLength),
+         std::make_pair("ChordTolerance", this->ChordTolerance),
+         std::make_pair("CornerAngle", this->CornerAngle),
+         std::make_pair("Smoothing", this->Smoothing),
+         std::make_pair("ContourTolerance", this->ContourTolerance) })
   {
     if (std::isnan(tolerance.second))
     {
@@ -354,6 +360,12 @@ int vtkOrthogonalSliceReconstruction::RequestData(
                                                 : orthoslices::CrossingContours::LeaveOut;
   options.Central = this->CentralPoint == CENTROID ? orthoslices::CentralPointMethod::Centroid
                                                    : orthoslices::CentralPointMethod::LeastSquares;
+  options.Patching.Method = static_cast<orthoslices::PatchMethod>(this->PatchType);
+  options.Patching.EdgeLength = this->EdgeLength;
+  options.Patching.ChordTolerance = this->ChordTolerance;
+  options.Patching.CornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
+  options.Smoothing = this->Smoothing;
+  options.ContourTolerance = this->ContourTolerance;
   options.Several = this->SeveralCycles == DISCS ? orthoslices::SeveralCycles::Discs
                                                  : orthoslices::SeveralCycles::ByEvidence;
   options.Criterion = static_cast<orthoslices::LoopCriterion>(this->Correspondence);
@@ -415,8 +427,9 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
   orthoslices::WriteGraph(result, doublePrecision, vtkPolyData::GetData(outputs, 1));
   this->UpdateProgress(0.9);
-  orthoslices::WriteSurface(std::move(result), execution, doublePrecision, this->ComputeNormals,
-    reportTolerance, vtkPolyData::GetData(outputs, 0));
+  const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures };
+  orthoslices::WriteSurface(std::move(result), execution, doublePrecision, arrays, reportTolerance,
+    vtkPolyData::GetData(outputs, 0));
   this->UpdateProgress(1.0);
   return 1;
 }
@@ -443,11 +456,19 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ExpectedGenus: " << this->ExpectedGenus << "\n";
   os << indent << "MinimumComponentSize: " << this->MinimumComponentSize << "\n";
   os << indent << "MinimumIsolatedContourSize: " << this->MinimumIsolatedContourSize << "\n";
+  const char* patchTypes[] = { "Smooth", "Fan", "Coons" };
+  os << indent << "PatchType: " << patchTypes[this->PatchType] << "\n";
+  os << indent << "EdgeLength: " << this->EdgeLength << "\n";
+  os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
+  os << indent << "CornerAngle: " << this->CornerAngle << "\n";
+  os << indent << "Smoothing: " << this->Smoothing << "\n";
+  os << indent << "ContourTolerance: " << this->ContourTolerance << "\n";
   os << indent << "CentralPoint: " << (this->CentralPoint == CENTROID ? "Centroid" : "LeastSquares")
      << "\n";
   os << indent << "AxisWeights: " << this->AxisWeights[0] << " " << this->AxisWeights[1] << " "
      << this->AxisWeights[2] << "\n";
   os << indent << "ReportTolerance: " << this->ReportTolerance << "\n";
   os << indent << "ComputeNormals: " << (this->ComputeNormals ? "On" : "Off") << "\n";
+  os << indent << "ComputeCurvatures: " << (this->ComputeCurvatures ? "On" : "Off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

@@ -53,7 +53,12 @@
  *    "NumberOfComponentsLeftOut" (see MinimumComponentSize), "NumberOfUndecidedPlaces",
  *    "TotalGenus" (of all components together), "NumberOfCellsWithSeveralCycles",
  *    "NumberOfNodePoints", "NumberOfReconciledEdges", "NumberOfReconciledVertices",
- *    "NumberOfRepairs" (vtkIdType, one value each);
+ *    "NumberOfRepairs" (vtkIdType, one value each); on the shape of the triangles "SmallestAngle"
+ *    (degrees), "ShareOfTrianglesAbove20Degrees" (whose angles are all larger), "LargestAspectRatio"
+ *    (longest side by the height over it) (double, one value each);
+ *  - point data "Normals" (float, 3 components, see ComputeNormals), "MeanCurvature" and
+ *    "GaussianCurvature" (float, see ComputeCurvatures; 1 / world units and its square, mean
+ *    curvature positive where the surface is convex);
  *  - point data "Disagreement" (float): at a node point, the distance of the two contours along
  *    the grid edge in world units; 0 at other points;
  *  - cell data "Repaired" (unsigned char): sum of 1 (a node point of the polygon disagrees by
@@ -173,6 +178,13 @@ public:
     CORRESPOND_BY_REEB_GRAPH = 4
   };
 
+  enum PatchTypeMode
+  {
+    SMOOTH = 0,
+    FAN = 1,
+    COONS = 2
+  };
+
   enum CentralPointMode
   {
     LEAST_SQUARES = 0,
@@ -284,7 +296,69 @@ public:
 
   ///@{
   /**
-   * Central point of a spatial polygon: from a least-squares quadratic through the arcs and the
+   * How spatial polygons are filled. Smooth (default): each patch passes through the contours around
+   * it and has their tangent planes, so that the whole surface is smooth. Fan: the paper's
+   * quadrilaterals, each a fan around the central point. Coons: the paper's quadrilaterals,
+   * bilinearly blended. Patches that join several polygons are built from plain triangles in all
+   * cases.
+   */
+  vtkSetClampMacro(PatchType, int, SMOOTH, COONS);
+  vtkGetMacro(PatchType, int);
+  void SetPatchTypeToSmooth() { this->SetPatchType(SMOOTH); }
+  void SetPatchTypeToFan() { this->SetPatchType(FAN); }
+  void SetPatchTypeToCoons() { this->SetPatchType(COONS); }
+  ///@}
+
+  ///@{
+  /**
+   * Length of the sides of triangles inside smooth and Coons patches, in plane spacings (the least
+   * mean spacing of the three axes). Default 0.25, range 0.02 to 10. Contours keep their vertices.
+   */
+  vtkSetClampMacro(EdgeLength, double, 0.02, 10.0);
+  vtkGetMacro(EdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Greatest distance of triangles inside smooth patches from the smooth surface, in plane spacings:
+   * triangles are smaller where the surface is curved, and no larger than EdgeLength. Default 0: all
+   * are as large as EdgeLength. Range 0 to 1.
+   */
+  vtkSetClampMacro(ChordTolerance, double, 0.0, 1.0);
+  vtkGetMacro(ChordTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Angle in degrees by which a contour turns at a corner. Smooth patches keep corners as creases
+   * of the surface, where that fits the contours better than a smooth surface. Default 60, range 0
+   * to 180 (no corners).
+   */
+  vtkSetClampMacro(CornerAngle, double, 0.0, 180.0);
+  vtkGetMacro(CornerAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Length of contour over which noise is smoothed out, in plane spacings. Default 0: the surface
+   * passes through the contours as they are. Range 0 to 10; about as long as the noise is coarse.
+   */
+  vtkSetClampMacro(Smoothing, double, 0.0, 10.0);
+  vtkGetMacro(Smoothing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Contour vertices within this distance of the line through the others are left out, in plane
+   * spacings: for contours with far more vertices than needed. Default 0: all are kept. Range 0 to 1.
+   */
+  vtkSetClampMacro(ContourTolerance, double, 0.0, 1.0);
+  vtkGetMacro(ContourTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Central point of a spatial polygon, for fans and Coons patches: from a least-squares quadratic through the arcs and the
    * surface normals at the node points (default), or the centroid of the arcs.
    */
   vtkSetClampMacro(CentralPoint, int, LEAST_SQUARES, CENTROID);
@@ -317,11 +391,22 @@ public:
 
   ///@{
   /**
-   * Whether the surface gets point normals. Default on.
+   * Whether the surface gets point normals: those of the smooth surface, or of the triangles around
+   * a point where there is no smooth surface. Default on.
    */
   vtkSetMacro(ComputeNormals, bool);
   vtkGetMacro(ComputeNormals, bool);
   vtkBooleanMacro(ComputeNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the surface gets the point data "MeanCurvature" and "GaussianCurvature", and normals.
+   * Default off.
+   */
+  vtkSetMacro(ComputeCurvatures, bool);
+  vtkGetMacro(ComputeCurvatures, bool);
+  vtkBooleanMacro(ComputeCurvatures, bool);
   ///@}
 
   ///@{
@@ -368,10 +453,17 @@ private:
   int ExpectedGenus = -1;
   double MinimumComponentSize = 0.0;
   double MinimumIsolatedContourSize = 0.0;
+  int PatchType = SMOOTH;
+  double EdgeLength = 0.25;
+  double ChordTolerance = 0.0;
+  double CornerAngle = 60.0;
+  double Smoothing = 0.0;
+  double ContourTolerance = 0.0;
   int CentralPoint = LEAST_SQUARES;
   double AxisWeights[3] = { 1.0, 1.0, 1.0 };
   double ReportTolerance = 1e-3;
   bool ComputeNormals = true;
+  bool ComputeCurvatures = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;
 };
 

@@ -7,6 +7,9 @@
 
 namespace orthoslices
 {
+/// Within how much of its length a contour turns at a corner, in mean plane spacings.
+constexpr double CornerReach = 0.12;
+
 /**
  * A closed polyline in the plane, and cubic curves fitted to parts of it by least squares: places
  * and tangents that do not follow its noise.

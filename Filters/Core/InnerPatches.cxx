@@ -44,17 +44,6 @@ namespace
 /// Cycles that are filled together: the parts do not depend on the number of threads.
 constexpr std::size_t BlockSize = 256;
 
-/// The least mean spacing of the planes of an axis that has two or more of them.
-double MeanSpacing(const SpatialGrid& grid)
-{
-  double least = HUGE_VAL;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    least = grid.Count(axis) > 1 ? std::min(least, grid.MeanSpacing(axis)) : least;
-  }
-  return std::isfinite(least) ? least : grid.MeanSpacing(0);
-}
-
 class PatchFiller
 {
 public:
@@ -69,7 +58,7 @@ public:
     , Parts(std::max<Index>(1, static_cast<Index>(std::lround(0.5 / options.EdgeLength))))
     , MeshOf(geometry.Polygons.Count(), -1)
   {
-    const double spacing = MeanSpacing(geometry.Grid);
+    const double spacing = LeastMeanSpacing(geometry.Grid);
     this->Resolution = { options.EdgeLength * spacing, options.ChordTolerance * spacing };
     for (std::size_t i = 0; i < meshes.size(); ++i)
     {

@@ -18,6 +18,7 @@ enum class PatchMethod
 struct PatchOptions
 {
   PatchMethod Method = PatchMethod::Smooth;
+  double CornerAngle = 1.05;   ///< of contours, in radians; see EstimateNormals
   double EdgeLength = 0.25;    ///< of triangles inside patches, in mean plane spacings
   double ChordTolerance = 0.0; ///< in mean plane spacings; see PatchResolution
 };

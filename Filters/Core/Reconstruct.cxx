@@ -6,6 +6,8 @@
 #include "Box.h"
 #include "SeparatePatches.h"
 #include "SmallComponents.h"
+#include "SmoothContours.h"
+#include "ThinArcs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -269,7 +271,7 @@ void FillPolygons(const Options& options, const Execution& execution, Reconstruc
   const CycleGeometry geometry = GeometryOf(result);
   if (options.Patching.Method != PatchMethod::Fan)
   {
-    result.Normals = EstimateNormals(geometry, options.CornerAngle, execution);
+    result.Normals = EstimateNormals(geometry, options.Patching.CornerAngle, execution);
   }
   result.Surface.Inner = BuildInnerPatches(geometry, result.Cells, result.Normals,
     result.Surface.CentralPoints, result.Surface.Meshes, options.Patching, execution);
@@ -322,6 +324,7 @@ Reconstruction Reconstruct(
   {
     return result;
   }
+  SmoothContours(result.Grid, options.Smoothing, options.Patching.CornerAngle, execution, contours);
   std::vector<IsolatedLoop> isolated;
   result.Lattice = RegisterCrossings(contours, result.Grid, execution, isolated);
   EdgeRegister edges = FileOnEdges(result.Lattice);
@@ -342,6 +345,8 @@ Reconstruction Reconstruct(
     CopyIsolated(isolated, contours, result.Lattice, DoSlicesAgree(result.Grid, result.Nodes));
   result.Agreement = MeasureAgreement(contours, result.Grid, result.Lattice, result.Nodes, normals);
   result.Members = { contours.Axis, contours.Plane, contours.Cell };
+  ThinArcs(options.ContourTolerance * LeastMeanSpacing(result.Grid), result.Lattice, result.Nodes,
+    execution, result.Graph);
   Append(
     EmbedArcs(result.Grid, result.Nodes, execution, result.Lattice, result.Graph), result.Repairs);
   contours = Contours();

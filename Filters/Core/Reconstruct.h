@@ -40,7 +40,8 @@ struct Options
   LoopCriterion Criterion = LoopCriterion::ByEvidence; ///< with SeveralCycles::ByEvidence
   PriorKnowledge Known;
   PatchOptions Patching;
-  double CornerAngle = 1.0; ///< of contours, in radians; see EstimateNormals
+  double Smoothing = 0.0;        ///< of contours, in mean plane spacings; see SmoothContours
+  double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
   /// Smaller ones are left out, by the diagonal of their bounding box as a fraction of that of all
   /// contours.
   double LeastIsolatedContour = 0.0;
@@ -100,10 +101,12 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  *   AssembleContours    pieces of polylines -> closed contours on planes         (section 3)
  *   BuildSpatialGrid    planes of all contours -> spatial grid M                 (section 4)
  *   OrientContours      interior on the left                                     (section 3)
+ *   SmoothContours      noise taken out of contours, if asked for                (our own)
  *   RegisterCrossings   contours cut by the lattice, filed on the edges of M     (section 4.2)
  *   ReconcileSlices     contradictions between the slices removed                (our own)
  *   PairNodePoints      crossings on one edge -> node points                     (section 4.2)
  *   BuildNodeGraph      node points and arcs: graph G, components                (section 4.1)
+ *   ThinArcs            vertices of arcs left out, if asked for                  (our own)
  *   MeasureAgreement    disagreement of contours and slices: the report          (our own)
  *   EmbedArcs           arcs that cross on a face of M are taken apart            (our own)
  *   EmbedIsolated       contours without node points become loops of G           (our own)

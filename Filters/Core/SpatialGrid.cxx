@@ -42,6 +42,16 @@ void SpatialGrid::GetExtent(
   high = slab < this->Count(axis) ? planes[slab] : this->Round(most + beyond);
 }
 
+double LeastMeanSpacing(const SpatialGrid& grid)
+{
+  double least = HUGE_VAL;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    least = grid.Count(axis) > 1 ? std::min(least, grid.MeanSpacing(axis)) : least;
+  }
+  return std::isfinite(least) ? least : grid.MeanSpacing(0);
+}
+
 GridEdgeCode::GridEdgeCode(const SpatialGrid& grid)
 {
   std::uint64_t base = 0;

@@ -111,6 +111,9 @@ struct SpatialGrid
   }
 };
 
+/// The least mean spacing of the planes of an axis, of those that have two or more of them.
+double LeastMeanSpacing(const SpatialGrid& grid);
+
 /// A face of M: the rectangle between its four grid lines, on a slice.
 struct Face
 {

@@ -11,11 +11,10 @@ namespace orthoslices
 {
 namespace
 {
-/// Of the mean plane spacing: the length of contour, before and after a point, to which its tangent
-/// is fitted; at most, where there is noise; and within which a contour turns at a corner.
+/// The length of contour, before and after a point, to which its tangent is fitted, as a part of the
+/// mean plane spacing: where the contour is smooth, and at most where there is noise.
 constexpr double LeastWindow = 0.15;
 constexpr double MostWindow = 1.5;
-constexpr double CornerReach = 0.12;
 
 /// Node points closer than this along a contour, as a part of the mean plane spacing, count as one.
 constexpr double MergedNodes = 0.2;

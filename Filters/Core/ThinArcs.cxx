@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ThinArcs.h"
+
+#include "Vectors.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace orthoslices
+{
+namespace
+{
+double SquaredDistanceToSegment(const Point3& p, const Point3& a, const Point3& b)
+{
+  const Point3 ab = b - a;
+  const double length2 = Dot(ab, ab);
+  const double share = length2 > 0.0 ? Dot(p - a, ab) / length2 : 0.0;
+  return SquaredDistance(p, Between(a, b, std::max(0.0, std::min(1.0, share))));
+}
+
+/// Marks the points between the first and the last that stay.
+void MarkKept(const std::vector<Point3>& points, double tolerance, std::vector<std::uint8_t>& kept)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> open{ { 0, points.size() - 1 } };
+  kept.assign(points.size(), 0);
+  while (!open.empty())
+  {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    double farthest = tolerance * tolerance;
+    std::size_t split = first;
+    for (std::size_t i = first + 1; i < last; ++i)
+    {
+      const double distance = SquaredDistanceToSegment(points[i], points[first], points[last]);
+      if (distance > farthest)
+      {
+        farthest = distance;
+        split = i;
+      }
+    }
+    if (split != first)
+    {
+      kept[split] = 1;
+      open.push_back({ first, split });
+      open.push_back({ split, last });
+    }
+  }
+}
+}
+
+void ThinArcs(double tolerance, const Crossings& crossings, const NodePoints& nodes,
+  const Execution& execution, NodeGraph& graph)
+{
+  if (!(tolerance > 0.0))
+  {
+    return;
+  }
+  std::vector<std::uint8_t> isKept(graph.Offsets.back(), 1);
+  execution.For(crossings.Count(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      std::vector<Point3> points;
+      std::vector<std::uint8_t> kept;
+      for (std::size_t c = begin; c < end; ++c)
+      {
+        const Index arc = static_cast<Index>(c);
+        const Index count = graph.PointCount(arc);
+        if (count == 0)
+        {
+          continue;
+        }
+        points.assign(1, graph.PointAt(nodes.NodeOf[arc]));
+        for (Index i = 0; i < count; ++i)
+        {
+          points.push_back(graph.PointAt(graph.FirstPoint(arc) + i));
+        }
+        points.push_back(graph.PointAt(nodes.NodeOf[crossings.Next[arc]]));
+        MarkKept(points, tolerance, kept);
+        std::copy(kept.begin() + 1, kept.end() - 1, isKept.begin() + graph.Offsets[arc]);
+      }
+    });
+  std::size_t to = 3 * static_cast<std::size_t>(graph.Nodes);
+  Index point = 0, left = 0;
+  for (std::size_t arc = 0; arc + 1 < graph.Offsets.size(); ++arc)
+  {
+    for (; point < graph.Offsets[arc + 1]; ++point)
+    {
+      if (isKept[point] != 0)
+      {
+        const Point3 place = graph.PointAt(graph.Nodes + point);
+        std::copy(place.begin(), place.end(), graph.Points.begin() + to);
+        to += 3;
+        ++left;
+      }
+    }
+    graph.Offsets[arc + 1] = left;
+  }
+  graph.Points.resize(to);
+}
+}

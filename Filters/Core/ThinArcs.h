@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesThinArcs_h
+#define OrthoSlicesThinArcs_h
+
+#include "NodeGraph.h"
+
+namespace orthoslices
+{
+/**
+ * Leaves out vertices of arcs that lie within `tolerance` (world units) of the line through those
+ * that stay (D. H. Douglas and T. K. Peucker, 1973). Node points stay, and both patches beside an
+ * arc have what is left: no cracks. 0 leaves everything as it is.
+ */
+void ThinArcs(double tolerance, const Crossings& crossings, const NodePoints& nodes,
+  const Execution& execution, NodeGraph& graph);
+}
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesTriangleMeasures_h
+#define OrthoSlicesTriangleMeasures_h
+
+#include "Types.h"
+
+namespace orthoslices
+{
+/// How well triangles are shaped.
+struct TriangleQuality
+{
+  double SmallestAngle = 0.0;       ///< of all triangles, in degrees
+  double ShareAbove20Degrees = 0.0; ///< of the triangles, those with no smaller angle
+  double LargestAspectRatio = 0.0;  ///< longest side by height over it; 1.15 for equal sides
+};
+
+/// Triangles are three ids each of points x, y, z.
+template <typename Coordinate, typename Id>
+TriangleQuality MeasureQuality(
+  const Coordinate* points, const Id* triangles, std::int64_t count, const Execution& execution);
+
+/// Curvatures at points; positive mean curvature where the surface is convex.
+struct Curvatures
+{
+  std::vector<float> Mean, Gaussian;
+};
+
+/**
+ * From how the normals change along the sides of triangles (S. Rusinkiewicz, "Estimating Curvatures
+ * and Their Derivatives on Triangle Meshes", 2004): in each triangle the best fitting second
+ * fundamental form, and at a point the mean over its triangles, weighted by their areas. `normals`
+ * are unit vectors, x, y, z of each point.
+ */
+template <typename Coordinate, typename Id>
+Curvatures MeasureCurvatures(const Coordinate* points, std::size_t pointCount, const float* normals,
+  const Id* triangles, std::int64_t count);
+
+#define ORTHOSLICES_DECLARE(Coordinate, Id)                        \
+  extern template TriangleQuality MeasureQuality(                  \
+    const Coordinate*, const Id*, std::int64_t, const Execution&); \
+  extern template Curvatures MeasureCurvatures(                    \
+    const Coordinate*, std::size_t, const float*, const Id*, std::int64_t);
+ORTHOSLICES_DECLARE(float, std::int32_t)
+ORTHOSLICES_DECLARE(float, long long)
+ORTHOSLICES_DECLARE(double, std::int32_t)
+ORTHOSLICES_DECLARE(double, long long)
+#undef ORTHOSLICES_DECLARE
+}
+
+#endif
