@@ -37,8 +37,27 @@ Point2 ContourCurve::Reach(Index i, double reach, bool forward) const
   return d;
 }
 
-void ContourCurve::FindCorners(double reach, double angle)
+double ContourCurve::FindNoise(double window) const
 {
+  // A sample of the points will do.
+  const Index step = std::max<Index>(1, this->Count() / 64);
+  std::vector<double> residuals;
+  for (Index i = 0; i < this->Count(); i += step)
+  {
+    residuals.push_back(this->FitAt(i, window).Residual);
+  }
+  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), middle, residuals.end());
+  return *middle;
+}
+
+void ContourCurve::FindCorners(double spacing, double noise, double angle)
+{
+  constexpr double leastReach = 0.12; // of the spacing
+  constexpr double noiseReach = 10.0; // the directions are then known to some ten degrees
+  constexpr double certainty = 3.0;   // times the deviation of a direction
+  const double reach = std::max(leastReach * spacing, noiseReach * noise);
+  const double least = angle + certainty * 2.0 * noise / reach;
   this->Corners.clear();
   std::vector<double> turns(this->Points.size(), 0.0);
   bool any = false;
@@ -47,14 +66,18 @@ void ContourCurve::FindCorners(double reach, double angle)
     const Point2 to = this->Reach(i, reach, false), from = this->Reach(i, reach, true);
     const double turn =
       std::abs(std::atan2(from[0] * to[1] - from[1] * to[0], -from[0] * to[0] - from[1] * to[1]));
-    turns[i] = turn > angle ? turn : 0.0;
-    any |= turn > angle;
+    turns[i] = turn > least ? turn : 0.0;
+    any |= turn > least;
   }
-  if (!any)
+  if (any)
   {
-    return;
+    this->Corners.assign(this->Points.size(), 0);
+    this->MarkSharpest(turns, reach);
   }
-  this->Corners.assign(this->Points.size(), 0);
+}
+
+void ContourCurve::MarkSharpest(const std::vector<double>& turns, double reach)
+{
   for (Index i = 0; i < this->Count(); ++i)
   {
     bool sharpest = turns[i] > 0.0;
@@ -180,20 +203,17 @@ ContourCurve::Fit ContourCurve::FitAt(Index i, double window) const
   return fit;
 }
 
-double ContourCurve::SuitableWindow(double least, double most) const
+void MeasuredCurve::Set(std::vector<Point2>&& points, double spacing, double cornerAngle)
 {
-  // A sample of the points will do.
-  const Index step = std::max<Index>(1, this->Count() / 64);
-  double sum = 0.0;
-  Index count = 0;
-  for (Index i = 0; i < this->Count(); i += step)
-  {
-    const double residual = this->FitAt(i, least).Residual;
-    sum += residual * residual;
-    ++count;
-  }
-  const double noise = std::sqrt(sum / count) / least;
-  // The error of a slope is about noise / window^1.5 and window^3.
-  return std::min(most, least * std::max(1.0, 5.0 * std::pow(noise, 0.4)));
+  // Of the spacing.
+  constexpr double noiseWindow = 0.3;
+  constexpr double leastWindow = 0.15;
+  constexpr double mostWindow = 1.5;
+  this->Curve.Set(std::move(points));
+  this->Noise = this->Curve.FindNoise(noiseWindow * spacing);
+  this->Curve.FindCorners(spacing, this->Noise, cornerAngle);
+  // The error of a slope is about noise / window^1.5 + window^3.
+  const double window = 8.0 * std::pow(this->Noise / spacing, 0.4);
+  this->Window = spacing * std::max(leastWindow, std::min(mostWindow, window));
 }
 }

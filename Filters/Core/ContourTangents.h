@@ -7,9 +7,6 @@
 
 namespace orthoslices
 {
-/// Within how much of its length a contour turns at a corner, in mean plane spacings.
-constexpr double CornerReach = 0.12;
-
 /**
  * A closed polyline in the plane, and cubic curves fitted to parts of it by least squares: places
  * and tangents that do not follow its noise.
@@ -26,10 +23,18 @@ public:
   double LengthTo(Index i) const { return this->Lengths[i]; }
 
   /**
-   * Marks the corners: points at which the directions to and from the points that are `reach` away
-   * differ by more than the angle (radians), and by more than at the other points so near.
+   * How far the points lie from a smooth curve: the median of the residuals of curves fitted up to
+   * `window` around them.
    */
-  void FindCorners(double reach, double angle);
+  double FindNoise(double window) const;
+
+  /**
+   * Marks the corners: points at which the directions to and from the points that are a little way
+   * off differ by more than the angle (radians) and what noise can do, and by more than at the other
+   * points so near. How far off, depends on the noise, and is a share of the spacing of the planes
+   * at least.
+   */
+  void FindCorners(double spacing, double noise, double angle);
   bool IsCorner(Index i) const { return !this->Corners.empty() && this->Corners[i] != 0; }
   bool HasCorners() const { return !this->Corners.empty(); }
 
@@ -43,13 +48,8 @@ public:
   /// At least two points on each side are taken, and fewer terms if there are few.
   Fit FitAt(Index i, double window) const;
 
-  /**
-   * The length of curve over which its tangents are best measured: `least` where the curve is
-   * smooth, and the more, the farther its points lie from a smooth curve, but not more than `most`.
-   */
-  double SuitableWindow(double least, double most) const;
-
 private:
+  void MarkSharpest(const std::vector<double>& turns, double reach);
   struct Moments;
   double Step(Index i) const { return this->Lengths[i + 1] - this->Lengths[i]; }
   Index After(Index i) const { return i + 1 < this->Count() ? i + 1 : 0; }
@@ -59,6 +59,18 @@ private:
   std::vector<Point2> Points;
   std::vector<double> Lengths;
   std::vector<std::uint8_t> Corners; ///< empty if there are none
+};
+
+/// The curve through the points with its corners, and how it is best fitted.
+struct MeasuredCurve
+{
+  ContourCurve Curve;
+  double Noise = 0.0;
+  /// Length before and after a point to which its tangent is fitted: where there is noise, longer.
+  double Window = 0.0;
+
+  /// `spacing` is that of the planes across the contour.
+  void Set(std::vector<Point2>&& points, double spacing, double cornerAngle);
 };
 }
 

@@ -14,9 +14,9 @@ std::vector<Point2> Smooth(const SpatialGrid& grid, double length, double corner
 {
   const double spacing =
     std::min(grid.MeanSpacing(FirstAxis(axis)), grid.MeanSpacing(SecondAxis(axis)));
-  ContourCurve curve;
-  curve.Set(std::move(vertices));
-  curve.FindCorners(CornerReach * spacing, cornerAngle);
+  MeasuredCurve measured;
+  measured.Set(std::move(vertices), spacing, cornerAngle);
+  const ContourCurve& curve = measured.Curve;
   std::vector<Point2> smooth, before;
   for (Index i = 0; i < curve.Count(); ++i)
   {

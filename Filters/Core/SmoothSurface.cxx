@@ -48,6 +48,12 @@ void Evaluate(double x, double y, double factor, double (&values)[Count])
   }
 }
 
+/**
+ * The weight of nothing being left by the polynomial. What is left fades out at about two thirds of
+ * the border's mean radius: noise of the contours stays near the border.
+ */
+constexpr double Fading = 5.0;
+
 /// Keeps coefficients small of which the border says little: the flattest surface is taken.
 constexpr double Flattening[Degree + 1] = { 1e-12, 1e-12, 1e-7, 1e-5, 1e-4 };
 }
@@ -163,7 +169,7 @@ double SmoothSurface::operator()(const Point3& p, Point3& gradient) const
     gy += w * r.Gradient[1];
     gz += w * r.Gradient[2];
   }
-  const double inverse = 1.0 / weights;
+  const double inverse = 1.0 / (weights + Fading);
   const double value = this->Polynomial(p, gradient);
   gradient = gradient + inverse * Point3{ gx, gy, gz };
   return value + inverse * values;
@@ -186,8 +192,9 @@ Point3 SmoothSurface::Gradient(const Point3& p) const
     changes = changes + change;
     changesOfValues = changesOfValues + value * change;
   }
+  const double inverse = 1.0 / (weights + Fading);
   Point3 gradient;
   this->Polynomial(p, gradient);
-  return gradient + (1.0 / weights) * (sum + changesOfValues - (values / weights) * changes);
+  return gradient + inverse * (sum + changesOfValues - (inverse * values) * changes);
 }
 }

@@ -11,11 +11,6 @@ namespace orthoslices
 {
 namespace
 {
-/// The length of contour, before and after a point, to which its tangent is fitted, as a part of the
-/// mean plane spacing: where the contour is smooth, and at most where there is noise.
-constexpr double LeastWindow = 0.15;
-constexpr double MostWindow = 1.5;
-
 /// Node points closer than this along a contour, as a part of the mean plane spacing, count as one.
 constexpr double MergedNodes = 0.2;
 
@@ -29,7 +24,7 @@ struct ContourRing
   double Spacing = 0.0; ///< the lesser mean spacing of the planes across the contour
   std::vector<Index> Points;
   std::vector<Index> Crossing; ///< of each point, or None
-  ContourCurve Curve;
+  MeasuredCurve Measured;
 };
 
 /// What is known of the tilt at a place on a contour.
@@ -144,17 +139,14 @@ void NormalEstimator::SetRing(Index start, ContourRing& ring) const
       const Point3 p = graph.PointAt(point);
       return { p[u], p[v] };
     });
-  ring.Curve.Set(std::move(points));
-  ring.Curve.FindCorners(CornerReach * ring.Spacing, this->CornerAngle);
+  ring.Measured.Set(std::move(points), ring.Spacing, this->CornerAngle);
 }
 
 void NormalEstimator::FindTangents(ContourRing& ring)
 {
-  const double window =
-    ring.Curve.SuitableWindow(LeastWindow * ring.Spacing, MostWindow * ring.Spacing);
-  for (Index i = 0; i < ring.Curve.Count(); ++i)
+  for (Index i = 0; i < ring.Measured.Curve.Count(); ++i)
   {
-    const Point2 tangent = ring.Curve.FitAt(i, window).Tangent;
+    const Point2 tangent = ring.Measured.Curve.FitAt(i, ring.Measured.Window).Tangent;
     this->TangentAt(ring, i) = { static_cast<float>(tangent[0]), static_cast<float>(tangent[1]) };
   }
 }
@@ -193,9 +185,9 @@ std::vector<TiltSample> NormalEstimator::SampleTilt(const ContourRing& ring)
   std::vector<TiltSample> samples;
   bool corner = false; // since the last sample
   bool firstCorner = false;
-  for (Index i = 0; i < ring.Curve.Count(); ++i)
+  for (Index i = 0; i < ring.Measured.Curve.Count(); ++i)
   {
-    corner |= ring.Curve.IsCorner(i);
+    corner |= ring.Measured.Curve.IsCorner(i);
     if (ring.Crossing[i] == Crossings::None)
     {
       continue;
@@ -204,13 +196,13 @@ std::vector<TiltSample> NormalEstimator::SampleTilt(const ContourRing& ring)
     const Tangent& tangent = this->TangentAt(ring, i);
     const double weight =
       double(normal[0]) * normal[0] + double(normal[1]) * normal[1] + double(normal[2]) * normal[2];
-    if (weight < LeastSine * LeastSine || ring.Curve.IsCorner(i))
+    if (weight < LeastSine * LeastSine || ring.Measured.Curve.IsCorner(i))
     {
       continue;
     }
     const double right = double(normal[u]) * tangent[1] - double(normal[v]) * tangent[0];
     const double tilt = std::atan2(double(normal[ring.Axis]), right);
-    const double length = ring.Curve.LengthTo(i);
+    const double length = ring.Measured.Curve.LengthTo(i);
     if (!samples.empty())
     {
       samples.back().CornerAfter = corner;
@@ -238,7 +230,7 @@ std::vector<TiltSample> NormalEstimator::SampleTilt(const ContourRing& ring)
     samples.back().CornerAfter = corner || firstCorner;
   }
   const std::size_t n = samples.size();
-  const double total = ring.Curve.LengthTo(ring.Curve.Count());
+  const double total = ring.Measured.Curve.LengthTo(ring.Measured.Curve.Count());
   for (std::size_t i = 0; i < n && n > 2; ++i)
   {
     const TiltSample &p = samples[i > 0 ? i - 1 : n - 1], &q = samples[i + 1 < n ? i + 1 : 0];
@@ -273,11 +265,11 @@ void NormalEstimator::WriteNormals(const ContourRing& ring)
   const int u = FirstAxis(ring.Axis), v = SecondAxis(ring.Axis);
   const std::vector<TiltSample> samples = this->SampleTilt(ring);
   const std::size_t n = samples.size();
-  const double total = ring.Curve.LengthTo(ring.Curve.Count());
+  const double total = ring.Measured.Curve.LengthTo(ring.Measured.Curve.Count());
   std::size_t next = 0;
-  for (Index i = 0; i < ring.Curve.Count(); ++i)
+  for (Index i = 0; i < ring.Measured.Curve.Count(); ++i)
   {
-    const double length = ring.Curve.LengthTo(i);
+    const double length = ring.Measured.Curve.LengthTo(i);
     while (next < n && samples[next].Length <= length)
     {
       ++next;
@@ -312,7 +304,7 @@ void NormalEstimator::WriteNormals(const ContourRing& ring)
         out[k] = known ? own[k] : out[k] + static_cast<float>(normal[k]);
       }
     }
-    if (ring.Curve.IsCorner(i))
+    if (ring.Measured.Curve.IsCorner(i))
     {
       this->Result.Corners[ring.Points[i]] = 1;
     }
