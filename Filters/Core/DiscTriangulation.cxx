@@ -213,10 +213,10 @@ Index DiscTriangulation::Locate(Index from, const Point2& p) const
   return -1;
 }
 
-/// Whether a point inside a triangle sees a side of the border near by at more than 110 degrees.
+/// Whether a point inside a triangle sees a side of the border near by at more than 120 degrees.
 bool DiscTriangulation::Encroaches(Index t, const Point2& p) const
 {
-  constexpr double cosine = -0.34;
+  constexpr double cosine = -0.5;
   const auto tooNear = [&](const Triangle& triangle)
   {
     for (int i = 0; i < 3; ++i)

@@ -10,7 +10,7 @@ namespace
 {
 /// Slopes of the function along a line that say nothing of where it is zero.
 constexpr double LeastSlope = 0.1;
-/// How far zeros may lie from the heights of the border, in mean radii of it.
+/// How far zeros may lie from the middle of the border, or from its heights, in its mean radii.
 constexpr double MostDeviation = 1.5;
 }
 
@@ -53,15 +53,16 @@ double SmoothPatchBuilder::HeightAtBorder(const Point2& p) const
   return sum / weights;
 }
 
-/// Newton's method: with the polynomial, which costs little, and then with the function.
-bool SmoothPatchBuilder::FindHeight(const Point2& p, double guess, double& z) const
+/// Newton's method: with the polynomial, which costs little, and then with the function. The
+/// gradient is that of the function at z or hardly off it.
+bool SmoothPatchBuilder::FindHeight(const Point2& p, double& z, Point3& gradient) const
 {
   constexpr double longest = 0.3;
-  constexpr double precision = 1e-8;
+  constexpr double nearEnough = 1e-3;
+  constexpr double precision = 1e-5; // the next step would be its square
   constexpr int most = 16;
   const Point3 line = this->View.LineAt(p);
-  Point3 gradient;
-  z = guess;
+  z = 0.0;
   bool polynomial = true;
   for (int i = 0; i < most; ++i)
   {
@@ -75,23 +76,20 @@ bool SmoothPatchBuilder::FindHeight(const Point2& p, double guess, double& z) co
     }
     const double step = std::max(-longest, std::min(longest, value / slope));
     z -= step;
-    if (std::abs(step) < (polynomial ? 1e-3 : precision))
+    if (!polynomial && std::abs(step) < precision)
     {
-      if (!polynomial)
-      {
-        return std::abs(z - guess) < MostDeviation;
-      }
-      polynomial = false;
+      return std::abs(z) < MostDeviation;
     }
+    polynomial = polynomial && std::abs(step) > nearEnough;
   }
   return false;
 }
 
 /// The nearest place on a line at which the function passes from inside to outside.
-bool SmoothPatchBuilder::SearchHeight(const Point2& p, double guess, double& z) const
+bool SmoothPatchBuilder::SearchHeight(
+  const Point2& p, double guess, double& z, Point3& gradient) const
 {
   constexpr double step = 0.06;
-  Point3 gradient;
   const auto valueAt = [&](double height)
   { return this->Surface(this->View.OnLine(p, height), gradient); };
   double above = valueAt(guess), below = above;
@@ -119,11 +117,12 @@ bool SmoothPatchBuilder::SearchHeight(const Point2& p, double guess, double& z) 
 void SmoothPatchBuilder::PlacePoint(
   const PatchBorder& border, const Point2& p, InnerPatch& patch) const
 {
-  const double guess = this->HeightAtBorder(p);
   double z;
-  if (!this->FindHeight(p, guess, z) && !this->SearchHeight(p, guess, z))
+  Point3 gradient;
+  if (!this->FindHeight(p, z, gradient))
   {
-    z = guess;
+    const double guess = this->HeightAtBorder(p);
+    z = this->SearchHeight(p, guess, z, gradient) ? z : guess;
   }
   // Along the line, unless that is much farther, as where the line runs along a face of the cell.
   constexpr double farther = 3.0;
@@ -134,9 +133,8 @@ void SmoothPatchBuilder::PlacePoint(
   const bool isNear =
     SquaredDistance(wanted, onLine) <= farther * farther * SquaredDistance(wanted, nearest);
   const Point3 place = isNear ? border.MoveInside(this->Grid, onLine) : nearest;
-  const Point3 local = this->View.ToLocal(place);
   patch.Points.push_back(place);
-  patch.Normals.push_back(Unit(this->View.DirectionToWorld(this->Surface.Gradient(local))));
+  patch.Normals.push_back(Unit(this->View.DirectionToWorld(gradient)));
 }
 
 bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)

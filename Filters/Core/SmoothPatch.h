@@ -40,8 +40,8 @@ public:
 private:
   double SizeOfTriangles() const;
   double HeightAtBorder(const Point2& p) const;
-  bool FindHeight(const Point2& p, double guess, double& z) const;
-  bool SearchHeight(const Point2& p, double guess, double& z) const;
+  bool FindHeight(const Point2& p, double& z, Point3& gradient) const;
+  bool SearchHeight(const Point2& p, double guess, double& z, Point3& gradient) const;
   void PlacePoint(const PatchBorder& border, const Point2& p, InnerPatch& patch) const;
 
   const SpatialGrid& Grid;

@@ -157,44 +157,37 @@ double SmoothSurface::Polynomial(const Point3& p, Point3& gradient) const
 
 double SmoothSurface::operator()(const Point3& p, Point3& gradient) const
 {
-  double weights = 0.0, values = 0.0, gx = 0.0, gy = 0.0, gz = 0.0;
+  // Sums over the border of the weights, of the values that they weigh, and of the derivatives of
+  // both, which all point from the border to p: the weight of a point falls with the fourth power.
+  double weights = Fading, values = 0.0;
+  double gx = 0.0, gy = 0.0, gz = 0.0;
+  double wx = 0.0, wy = 0.0, wz = 0.0;
+  double vx = 0.0, vy = 0.0, vz = 0.0;
   for (const Residual& r : this->Residuals)
   {
     const double dx = p[0] - r.Place[0], dy = p[1] - r.Place[1], dz = p[2] - r.Place[2];
-    const double squared = dx * dx + dy * dy + dz * dz + 1e-24;
-    const double w = r.Weight / (squared * squared);
+    const double inverse = 1.0 / (dx * dx + dy * dy + dz * dz + 1e-24);
+    const double w = r.Weight * inverse * inverse;
+    const double value = r.Value + r.Gradient[0] * dx + r.Gradient[1] * dy + r.Gradient[2] * dz;
+    const double change = w * inverse, changeOfValue = change * value;
     weights += w;
-    values += w * (r.Value + r.Gradient[0] * dx + r.Gradient[1] * dy + r.Gradient[2] * dz);
+    values += w * value;
     gx += w * r.Gradient[0];
     gy += w * r.Gradient[1];
     gz += w * r.Gradient[2];
+    wx += change * dx;
+    wy += change * dy;
+    wz += change * dz;
+    vx += changeOfValue * dx;
+    vy += changeOfValue * dy;
+    vz += changeOfValue * dz;
   }
-  const double inverse = 1.0 / (weights + Fading);
+  const double inverse = 1.0 / weights;
+  const double mean = inverse * values;
   const double value = this->Polynomial(p, gradient);
-  gradient = gradient + inverse * Point3{ gx, gy, gz };
-  return value + inverse * values;
-}
-
-Point3 SmoothSurface::Gradient(const Point3& p) const
-{
-  double weights = 0.0, values = 0.0;
-  Point3 sum{ 0.0, 0.0, 0.0 }, changes{ 0.0, 0.0, 0.0 }, changesOfValues{ 0.0, 0.0, 0.0 };
-  for (const Residual& r : this->Residuals)
-  {
-    const Point3 d = p - r.Place;
-    const double squared = Dot(d, d) + 1e-24;
-    const double w = r.Weight / (squared * squared);
-    const double value = r.Value + Dot(r.Gradient, d);
-    const Point3 change = (-4.0 * w / squared) * d;
-    weights += w;
-    values += w * value;
-    sum = sum + w * r.Gradient;
-    changes = changes + change;
-    changesOfValues = changesOfValues + value * change;
-  }
-  const double inverse = 1.0 / (weights + Fading);
-  Point3 gradient;
-  this->Polynomial(p, gradient);
-  return gradient + inverse * (sum + changesOfValues - (inverse * values) * changes);
+  gradient[0] += inverse * (gx - 4.0 * (vx - mean * wx));
+  gradient[1] += inverse * (gy - 4.0 * (vy - mean * wy));
+  gradient[2] += inverse * (gz - 4.0 * (vz - mean * wz));
+  return value + mean;
 }
 }

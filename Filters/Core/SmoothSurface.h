@@ -27,9 +27,7 @@ public:
 
   /// The polynomial alone.
   double Polynomial(const Point3& p, Point3& gradient) const;
-  /// The function; its gradient leaves out how the weights of the inverse distances change.
   double operator()(const Point3& p, Point3& gradient) const;
-  Point3 Gradient(const Point3& p) const;
   /// Root mean square of what the polynomial leaves at the border.
   double Deviation() const;
 
