@@ -83,7 +83,7 @@ void AddArray(const char* name, const std::vector<float>& values, vtkPointData* 
 
 void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Execution& execution)
 {
-  constexpr float similar = 0.87f; // 30 degrees
+  constexpr float similar = 0.5f; // 60 degrees
   const vtkIdType count = surface->GetNumberOfPoints();
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");

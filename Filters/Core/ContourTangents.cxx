@@ -130,7 +130,7 @@ struct ContourCurve::Moments
   /// Coefficients of both coordinates, of as many terms as there are points for.
   bool Solve(double (&u)[Terms], double (&v)[Terms]) const
   {
-    const int terms = this->Count >= 6 ? 4 : this->Count >= 4 ? 3 : 2;
+    const int terms = this->Count >= 5 ? 4 : this->Count >= 4 ? 3 : 2;
     // Points that hardly determine a curve give the straightest one.
     constexpr double straight = 1e-8;
     double matrix[Terms][Terms];
