@@ -3,6 +3,7 @@
 #include "SmoothSurface.h"
 
 #include "LeastSquares.h"
+#include "Monomials.h"
 #include "Vectors.h"
 
 #include <algorithm>
@@ -12,41 +13,6 @@ namespace orthoslices
 namespace
 {
 constexpr int Degree = 4;
-
-/// Number of the monomial x^i y^j among those of all degrees: 1, x, y, x^2, xy, y^2, ...
-constexpr int Number(int i, int j) { return (i + j) * (i + j + 1) / 2 + j; }
-
-/// Calls visit(number, i, j) for all monomials up to a degree.
-template <typename Visit>
-void ForMonomials(int degree, Visit&& visit)
-{
-  int number = 0;
-  for (int d = 0; d <= degree; ++d)
-  {
-    for (int j = 0; j <= d; ++j)
-    {
-      visit(number++, d - j, j);
-    }
-  }
-}
-
-/// All monomials up to a degree, times a factor.
-template <int Count>
-void Evaluate(double x, double y, double factor, double (&values)[Count])
-{
-  values[0] = factor;
-  int before = 0;
-  for (int d = 1, at = 1; at < Count; ++d)
-  {
-    for (int j = 0; j < d; ++j)
-    {
-      values[at + j] = x * values[before + j];
-    }
-    values[at + d] = y * values[before + d - 1];
-    before = at;
-    at += d + 1;
-  }
-}
 
 /**
  * The weight of nothing being left by the polynomial. What is left fades out at about two thirds of
@@ -68,7 +34,7 @@ bool SmoothSurface::Fit(const std::vector<Point3>& zeros, const std::vector<Poin
   {
     const Point3 &p = zeros[i], &g = gradients[i];
     double values[Moments];
-    Evaluate(p[0], p[1], weights[i], values);
+    EvaluateMonomials(p[0], p[1], weights[i], values);
     for (int k = 0; k < Moments; ++k)
     {
       moments[k] += values[k];
@@ -89,16 +55,16 @@ bool SmoothSurface::Fit(const std::vector<Point3>& zeros, const std::vector<Poin
   ForMonomials(Degree,
     [&](int row, int i, int j)
     {
-      double right = i > 0 ? i * withX[Number(i - 1, j)] : 0.0;
-      right += j > 0 ? j * withY[Number(i, j - 1)] : 0.0;
+      double right = i > 0 ? i * withX[MonomialNumber(i - 1, j)] : 0.0;
+      right += j > 0 ? j * withY[MonomialNumber(i, j - 1)] : 0.0;
       this->Coefficients[row] = right;
       matrix[Terms][row] = withZ[row];
       ForMonomials(Degree,
         [&](int column, int k, int l)
         {
-          double sum = moments[Number(i + k, j + l)];
-          sum += i > 0 && k > 0 ? i * k * moments[Number(i + k - 2, j + l)] : 0.0;
-          sum += j > 0 && l > 0 ? j * l * moments[Number(i + k, j + l - 2)] : 0.0;
+          double sum = moments[MonomialNumber(i + k, j + l)];
+          sum += i > 0 && k > 0 ? i * k * moments[MonomialNumber(i + k - 2, j + l)] : 0.0;
+          sum += j > 0 && l > 0 ? j * l * moments[MonomialNumber(i + k, j + l - 2)] : 0.0;
           matrix[row][column] = sum;
         });
       matrix[row][row] += Flattening[i + j];

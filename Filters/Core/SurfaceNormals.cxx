@@ -3,6 +3,7 @@
 #include "SurfaceNormals.h"
 
 #include "ContourTangents.h"
+#include "SlopeOverSlice.h"
 #include "Vectors.h"
 
 #include <algorithm>
@@ -17,6 +18,9 @@ constexpr double MergedNodes = 0.2;
 /// Sine of the angle between the contours of a node point below which they give no normal.
 constexpr double LeastSine = 0.15;
 
+/// Tilt (radians) beyond which the slope over the slice is interpolated instead.
+constexpr double LeastSteepTilt = 0.5;
+
 /// The points of a contour in G, in order from a crossing.
 struct ContourRing
 {
@@ -30,11 +34,21 @@ struct ContourRing
 /// What is known of the tilt at a place on a contour.
 struct TiltSample
 {
+  Index Place;   ///< point of the ring
   double Length; ///< along the contour
   double Tilt;
   double Weight;
   double Slope;
   bool CornerAfter; ///< between this sample and the next
+};
+
+/// The slope over the slice between two samples, and by how much it misses their tilts.
+struct SlopeFit
+{
+  SlopeOverSlice Slope;
+  bool Valid = false;
+  double Sign = 1.0; ///< of the tilt
+  double MissedBefore = 0.0, MissedAfter = 0.0;
 };
 
 class NormalEstimator
@@ -70,6 +84,10 @@ private:
   Point3 NodeNormal(Index node) const;
   Point3 ContourTangent(Index crossing, int axis) const;
   std::vector<TiltSample> SampleTilt(const ContourRing& ring);
+  double FittedTilt(const ContourRing& ring, Index i, const SlopeFit& fit, double other);
+  void AddPart(const ContourRing& ring, Index first, Index count, SlopeFit& fit);
+  void FitSlope(const ContourRing& ring, const std::vector<TiltSample>& samples, std::size_t before,
+    SlopeFit& fit);
   void WriteNormals(const ContourRing& ring);
   void WriteLoop(Index loop);
 
@@ -203,6 +221,17 @@ std::vector<TiltSample> NormalEstimator::SampleTilt(const ContourRing& ring)
     const double right = double(normal[u]) * tangent[1] - double(normal[v]) * tangent[0];
     const double tilt = std::atan2(double(normal[ring.Axis]), right);
     const double length = ring.Measured.Curve.LengthTo(i);
+    const bool isNear =
+      !samples.empty() && !corner && length - samples.back().Length < MergedNodes * ring.Spacing;
+    if (isNear && weight <= samples.back().Weight)
+    {
+      continue;
+    }
+    if (isNear)
+    {
+      corner = samples.size() > 1 ? samples[samples.size() - 2].CornerAfter : firstCorner;
+      samples.pop_back();
+    }
     if (!samples.empty())
     {
       samples.back().CornerAfter = corner;
@@ -211,18 +240,7 @@ std::vector<TiltSample> NormalEstimator::SampleTilt(const ContourRing& ring)
     {
       firstCorner = corner;
     }
-    if (!samples.empty() && !corner && length - samples.back().Length < MergedNodes * ring.Spacing)
-    {
-      TiltSample& last = samples.back();
-      const double total = last.Weight + weight;
-      last.Length += weight / total * (length - last.Length);
-      last.Tilt += weight / total * (tilt - last.Tilt);
-      last.Weight = total;
-    }
-    else
-    {
-      samples.push_back({ length, tilt, weight, 0.0, false });
-    }
+    samples.push_back({ i, length, tilt, weight, 0.0, false });
     corner = false;
   }
   if (!samples.empty())
@@ -260,6 +278,73 @@ double InterpolateTilt(const TiltSample& p, const TiltSample& q, double length, 
   return std::max(-right, std::min(right, tilt));
 }
 
+/// The tilt that the slope of the height gives a point of a ring; `other` where it gives none.
+double NormalEstimator::FittedTilt(
+  const ContourRing& ring, Index i, const SlopeFit& fit, double other)
+{
+  const Point2 slope = fit.Slope.SlopeAt(ring.Measured.Curve[i]);
+  const Tangent& tangent = this->TangentAt(ring, i);
+  const double right = slope[0] * tangent[1] - slope[1] * tangent[0];
+  return right > 0.0 ? fit.Sign * std::atan2(1.0, right) : other;
+}
+
+/// Adds the points of a ring from one sample to another.
+void NormalEstimator::AddPart(const ContourRing& ring, Index first, Index count, SlopeFit& fit)
+{
+  const int u = FirstAxis(ring.Axis), v = SecondAxis(ring.Axis);
+  const Index n = ring.Measured.Curve.Count();
+  for (Index k = 0; k <= count; ++k)
+  {
+    const Index i = (first + k) % n;
+    fit.Slope.AddZero(ring.Measured.Curve[i], 1.0);
+    if (ring.Crossing[i] == Crossings::None)
+    {
+      continue;
+    }
+    const std::array<float, 3>& normal = this->NodeNormals[ring.Points[i]];
+    const Point3 d{ normal[0], normal[1], normal[2] };
+    const double weight = Dot(d, d), up = fit.Sign * d[ring.Axis];
+    if (weight >= LeastSine * LeastSine && up * up >= 0.2 * weight && up > 0.0)
+    {
+      fit.Slope.AddSlope(ring.Measured.Curve[i], { d[u] / up, d[v] / up }, 1.0);
+    }
+  }
+}
+
+/// The slope of the surface between a sample and the next one, if the surface is nearly parallel to
+/// the slice there.
+void NormalEstimator::FitSlope(const ContourRing& ring, const std::vector<TiltSample>& samples,
+  std::size_t before, SlopeFit& fit)
+{
+  constexpr double mostMissed = 0.1;
+  const std::size_t n = samples.size();
+  const auto at = [&](std::size_t shift) -> const TiltSample&
+  { return samples[(before + shift) % n]; };
+  const TiltSample &o = at(n - 1), &p = at(0), &q = at(1), &r = at(2);
+  fit.Valid = false;
+  if (n < 3 || p.CornerAfter || std::min(std::abs(p.Tilt), std::abs(q.Tilt)) < LeastSteepTilt ||
+    (p.Tilt > 0.0) != (q.Tilt > 0.0))
+  {
+    return;
+  }
+  const auto isUsed = [&](const TiltSample& s)
+  { return std::abs(s.Tilt) >= LeastSteepTilt && (s.Tilt > 0.0) == (p.Tilt > 0.0); };
+  const Index total = ring.Measured.Curve.Count();
+  const Index first = isUsed(o) && !o.CornerAfter ? o.Place : p.Place;
+  const Index last = isUsed(r) && !q.CornerAfter && (n > 3 || first == p.Place) ? r.Place : q.Place;
+  fit.Sign = p.Tilt > 0.0 ? 1.0 : -1.0;
+  const Point2 &a = ring.Measured.Curve[p.Place], &b = ring.Measured.Curve[q.Place];
+  fit.Slope.Start({ 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]) }, 1.5 * ring.Spacing);
+  this->AddPart(ring, first, (last - first + total) % total, fit);
+  if (!fit.Slope.Fit())
+  {
+    return;
+  }
+  fit.MissedBefore = p.Tilt - this->FittedTilt(ring, p.Place, fit, HUGE_VAL);
+  fit.MissedAfter = q.Tilt - this->FittedTilt(ring, q.Place, fit, HUGE_VAL);
+  fit.Valid = std::abs(fit.MissedBefore) < mostMissed && std::abs(fit.MissedAfter) < mostMissed;
+}
+
 void NormalEstimator::WriteNormals(const ContourRing& ring)
 {
   const int u = FirstAxis(ring.Axis), v = SecondAxis(ring.Axis);
@@ -267,6 +352,8 @@ void NormalEstimator::WriteNormals(const ContourRing& ring)
   const std::size_t n = samples.size();
   const double total = ring.Measured.Curve.LengthTo(ring.Measured.Curve.Count());
   std::size_t next = 0;
+  std::size_t fitted = n; // the sample before the points that the fit is for
+  SlopeFit fit;
   for (Index i = 0; i < ring.Measured.Curve.Count(); ++i)
   {
     const double length = ring.Measured.Curve.LengthTo(i);
@@ -281,6 +368,17 @@ void NormalEstimator::WriteNormals(const ContourRing& ring)
       const double gone = length - p.Length + (next > 0 ? 0.0 : total);
       const double step = q.Length - p.Length + (next > 0 && next < n ? 0.0 : total);
       tilt = n > 1 && step > 0.0 ? InterpolateTilt(p, q, step, gone / step) : p.Tilt;
+      const std::size_t before = next > 0 ? next - 1 : n - 1;
+      if (before != fitted)
+      {
+        fitted = before;
+        this->FitSlope(ring, samples, before, fit);
+      }
+      if (fit.Valid && step > 0.0)
+      {
+        const double more = fit.MissedBefore + gone / step * (fit.MissedAfter - fit.MissedBefore);
+        tilt = this->FittedTilt(ring, i, fit, tilt - more) + more;
+      }
     }
     const Tangent& tangent = this->TangentAt(ring, i);
     Point3 normal;
