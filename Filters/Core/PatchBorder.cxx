@@ -62,6 +62,20 @@ void PatchBorder::Set(const CycleGeometry& geometry, const SurfaceNormals& norma
   this->Room = RoomInside(geometry.Grid, geometry.Polygons.Cell[cycle]);
 }
 
+bool PatchBorder::AreOnOneFace(Index a, Index b) const
+{
+  const Point3 &p = this->Places[a], &q = this->Places[b];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (std::max(p[axis], q[axis]) < this->Room.Low[axis] ||
+      std::min(p[axis], q[axis]) > this->Room.High[axis])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 Point3 PatchBorder::MoveInside(const SpatialGrid& grid, const Point3& place) const
 {
   Point3 inside;

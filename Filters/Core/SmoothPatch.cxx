@@ -154,8 +154,13 @@ bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)
   const std::size_t mostPoints = 10 * polygon.size() + 2000;
   this->Disc.MakeDelaunay();
   this->Disc.Refine(this->SizeOfTriangles(), mostPoints);
-  // A side between two points of the border might lie on a face of the cell.
-  this->Disc.SplitSides([n](Index a, Index b) { return a < n && b < n; });
+  // No side between two points of the border may lie on a face of the cell.
+  this->Disc.SplitSides(
+    [&](Index a, Index b) { return a < n && b < n && border.AreOnOneFace(a, b); });
+  if (this->Disc.Points.size() == polygon.size())
+  {
+    this->Disc.SplitSides([n](Index a, Index b) { return a < n && b < n; });
+  }
   for (std::size_t i = polygon.size(); i < this->Disc.Points.size(); ++i)
   {
     this->PlacePoint(border, this->Disc.Points[i], patch);
