@@ -13,10 +13,10 @@
 #include "Support/DataSets.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
-#include "Support/Random.h"
 #include "Support/RandomInput.h"
 #include "Support/SliceSolid.h"
 #include "Support/SurfaceMetrics.h"
+#include "Support/Threads.h"
 
 #include "vtkPolyData.h"
 
@@ -26,7 +26,6 @@
 #include <cmath>
 #include <iostream>
 #include <map>
-#include <thread>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -278,38 +277,6 @@ TEST(Guarantees, G4VerticesOfConsistentContoursAreKeptBitForBit)
 //----------------------------------------------------------------------------
 namespace
 {
-/// Four threads and many small ranges of random order.
-Execution ManyThreads()
-{
-  Execution execution;
-  execution.For = [](std::size_t count, const Execution::Range& run)
-  {
-    std::vector<std::size_t> starts;
-    for (std::size_t i = 0; i < count; i += 1 + count / 13)
-    {
-      starts.push_back(i);
-    }
-    Random(count).Shuffle(starts);
-    const auto work = [&](std::size_t thread)
-    {
-      for (std::size_t i = thread; i < starts.size(); i += 4)
-      {
-        run(starts[i], std::min(count, starts[i] + 1 + count / 13));
-      }
-    };
-    std::vector<std::thread> threads;
-    for (std::size_t thread = 0; thread < 4; ++thread)
-    {
-      threads.emplace_back(work, thread);
-    }
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
-  };
-  return execution;
-}
-
 void ExpectSame(const Reconstruction& a, const Reconstruction& b)
 {
   EXPECT_EQ(a.Graph.Points, b.Graph.Points);

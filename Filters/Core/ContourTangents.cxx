@@ -159,13 +159,15 @@ ContourCurve::Fit ContourCurve::FitAt(Index i, double window) const
   constexpr int fewest = 2;
   const Point2& origin = this->Points[i];
   const double scale = std::max(std::min(window, 0.3 * this->Lengths.back()), 1e-300);
+  // Of a triangle no point is taken on both sides.
+  const Index most = std::min(this->Count() / 3 + 1, this->Count() / 2);
   Moments sums;
   sums.Add(0.0, 0.0, 0.0);
   for (const bool forward : { true, false })
   {
     double length = 0.0;
     Index j = i;
-    for (Index n = 0; n < this->Count() / 3 + 1 && (n == 0 || !this->IsCorner(j)); ++n)
+    for (Index n = 0; n < most && (n == 0 || !this->IsCorner(j)); ++n)
     {
       const Index next = forward ? this->After(j) : this->Before(j);
       length += this->Step(forward ? j : next);
