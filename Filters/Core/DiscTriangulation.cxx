@@ -288,7 +288,7 @@ void DiscTriangulation::Insert(Index t, const Point2& p)
 }
 
 /// Where a point would mend a triangle; false if it needs none.
-bool DiscTriangulation::FindNewPoint(const Triangle& t, double size, Point2& p) const
+bool DiscTriangulation::FindNewPoint(const Triangle& t, double size, double least, Point2& p) const
 {
   const Point2 &a = this->Points[t.Corners[0]], &b = this->Points[t.Corners[1]],
                &c = this->Points[t.Corners[2]];
@@ -298,15 +298,16 @@ bool DiscTriangulation::FindNewPoint(const Triangle& t, double size, Point2& p) 
   const double twice = 2.0 * (bx * cy - by * cx);
   const double ux = (cy * bb - by * cc) / twice, uy = (bx * cc - cx * bb) / twice;
   const double radius2 = ux * ux + uy * uy;
-  const double shortest = std::min({ ab, bc, ca });
+  const double side = std::min({ ab, bc, ca });
+  const double shortest = std::max(side, least * least);
   if (!(radius2 > Quality * Quality * shortest || radius2 > 0.45 * size * size))
   {
     return false;
   }
   p = { a[0] + ux, a[1] + uy };
   // Not farther from the shortest side than a good triangle over it is high.
-  const Point2& from = shortest == ab ? a : shortest == bc ? b : c;
-  const Point2& to = shortest == ab ? b : shortest == bc ? c : a;
+  const Point2& from = side == ab ? a : side == bc ? b : c;
+  const Point2& to = side == ab ? b : side == bc ? c : a;
   const Point2 middle{ 0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]) };
   const double away = std::sqrt(SquaredDistance(middle, p));
   const double most = 1.4 * std::sqrt(shortest);
@@ -322,7 +323,7 @@ bool DiscTriangulation::FindNewPoint(const Triangle& t, double size, Point2& p) 
   return std::isfinite(p[0]) && std::isfinite(p[1]);
 }
 
-void DiscTriangulation::Refine(double size, std::size_t mostPoints)
+void DiscTriangulation::Refine(double size, std::size_t mostPoints, double least)
 {
   this->Queue.resize(this->Triangles.size());
   for (std::size_t t = 0; t < this->Queue.size(); ++t)
@@ -333,7 +334,7 @@ void DiscTriangulation::Refine(double size, std::size_t mostPoints)
   for (std::size_t next = 0; next < this->Queue.size() && this->Points.size() < mostPoints; ++next)
   {
     const Index t = this->Queue[next];
-    if (!this->FindNewPoint(this->Triangles[t], size, p))
+    if (!this->FindNewPoint(this->Triangles[t], size, least, p))
     {
       continue;
     }

@@ -10,6 +10,8 @@ namespace
 {
 /// Slopes of the function along a line that say nothing of where it is zero.
 constexpr double LeastSlope = 0.1;
+/// Sides of the border shorter than that, in mean radii of it, are not refined to.
+constexpr double LeastSide = 1e-3;
 /// How far zeros may lie from the middle of the border, or from its heights, in its mean radii.
 constexpr double MostDeviation = 1.5;
 }
@@ -153,7 +155,7 @@ bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)
   const Index n = border.Count();
   const std::size_t mostPoints = 10 * polygon.size() + 2000;
   this->Disc.MakeDelaunay();
-  this->Disc.Refine(this->SizeOfTriangles(), mostPoints);
+  this->Disc.Refine(this->SizeOfTriangles(), mostPoints, LeastSide);
   // No side between two points of the border may lie on a face of the cell.
   this->Disc.SplitSides(
     [&](Index a, Index b) { return a < n && b < n && border.AreOnOneFace(a, b); });

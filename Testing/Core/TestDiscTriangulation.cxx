@@ -463,6 +463,29 @@ TEST(DiscTriangulation, AddsNoMorePointsThanAllowed)
 }
 
 //----------------------------------------------------------------------------
+TEST(DiscTriangulation, NoPointsCrowdAroundTinySides)
+{
+  Polygon polygon = Square(4);
+  polygon.insert(polygon.begin() + 2, { 0.25 + 1e-8, 0.0 });
+  const auto nearest = [&](double least)
+  {
+    DiscTriangulation disc;
+    EXPECT_TRUE(disc.StartWithFan(polygon, { 0.5, 0.5 }));
+    disc.MakeDelaunay();
+    disc.Refine(0.25, 4000, least);
+    ExpectValid(disc, polygon);
+    double distance = 1.0;
+    for (std::size_t i = polygon.size(); i < disc.Points.size(); ++i)
+    {
+      distance = std::min(distance, LengthOf(disc.Points[i], polygon[1]));
+    }
+    return distance;
+  };
+  EXPECT_LT(nearest(0.0), 1e-6);
+  EXPECT_GT(nearest(1e-2), 5e-3);
+}
+
+//----------------------------------------------------------------------------
 /// Narrow parts, sharp angles, many points on one line: no good shapes, but nothing wrong.
 TEST(DiscTriangulation, RefinedRandomPolygonsAreValid)
 {
