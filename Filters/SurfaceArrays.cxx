@@ -79,11 +79,44 @@ void AddArray(const char* name, const std::vector<float>& values, vtkPointData* 
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   data->AddArray(array);
 }
+
+/// At each point, the sum of the area vectors at the corners of the triangles around: where these
+/// are slivers, those of the next triangles decide.
+template <typename Id>
+std::vector<float> SumAround(
+  const Id* triangle, vtkIdType count, vtkIdType points, const float* areas)
+{
+  std::vector<float> sums(3 * static_cast<std::size_t>(points), 0.0f);
+  for (const Id* end = triangle + 3 * count; triangle != end; triangle += 3)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const float sum =
+        areas[3 * triangle[0] + k] + areas[3 * triangle[1] + k] + areas[3 * triangle[2] + k];
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        sums[3 * triangle[corner] + k] += sum;
+      }
+    }
+  }
+  return sums;
+}
+
+/// Whether a normal is within 30 degrees of an area vector.
+bool IsSimilar(const float* normal, const float* area)
+{
+  double product = 0.0, squared = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    product += double(normal[k]) * area[k];
+    squared += double(area[k]) * area[k];
+  }
+  return product > 0.0 && product * product > 0.75 * squared;
+}
 }
 
 void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Execution& execution)
 {
-  constexpr float similar = 0.5f; // 60 degrees
   const vtkIdType count = surface->GetNumberOfPoints();
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
@@ -91,23 +124,31 @@ void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Ex
   normals->SetNumberOfTuples(count);
   normals->Fill(0.0);
   float* out = normals->GetPointer(0);
+  std::vector<float> around;
   VisitTriangles(surface,
-    [out](const auto* xyz, const auto* triangles, vtkIdType triangleCount)
-    { SumAreas(xyz, triangles, triangleCount, out); });
+    [&](const auto* xyz, const auto* triangles, vtkIdType triangleCount)
+    {
+      SumAreas(xyz, triangles, triangleCount, out);
+      if (!smooth.empty())
+      {
+        around = SumAround(triangles, triangleCount, count, out);
+      }
+    });
   execution.For(count,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
         float* n = out + 3 * i;
+        const float* s = smooth.empty() ? n : smooth.data() + 3 * i;
+        if (!smooth.empty() && (IsSimilar(s, n) || IsSimilar(s, around.data() + 3 * i)))
+        {
+          std::copy_n(s, 3, n);
+          continue;
+        }
         const double length = std::hypot(double(n[0]), double(n[1]), double(n[2]));
         const double scale = length > 0.0 ? 1.0 / length : 0.0;
         std::transform(n, n + 3, n, [&](float x) { return static_cast<float>(scale * x); });
-        const float* s = smooth.empty() ? n : smooth.data() + 3 * i;
-        if (s[0] * n[0] + s[1] * n[1] + s[2] * n[2] > similar)
-        {
-          std::copy_n(s, 3, n);
-        }
       }
     });
   surface->GetPointData()->SetNormals(normals);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CentralPoint.h"
 
-#include "LeastSquares.h"
+#include "QuadraticFit.h"
 #include "Vectors.h"
 
 #include <algorithm>
@@ -101,87 +101,6 @@ Point3 ContourTangent::operator()(Index crossing) const
   const double length = Length(tangent);
   return length > 0.0 ? (1.0 / length) * tangent : Point3{ 0.0, 0.0, 0.0 };
 }
-
-/**
- * Least squares for z = c0 + c1 x + c2 y + c3 x^2 + c4 xy + c5 y^2. All products of two of these
- * terms are moments x^i y^j with i + j <= 4, so that only those are summed.
- */
-class QuadraticFit
-{
-public:
-  void AddPoint(double x, double y, double z, double weight)
-  {
-    const double wx = weight * x, wy = weight * y;
-    const double xx = x * x, xy = x * y, yy = y * y;
-    const double powers[15] = { weight, wx, wy, wx * x, wx * y, wy * y, wx * xx, wy * xx, wx * yy,
-      wy * yy, weight * xx * xx, weight * xx * xy, weight * xx * yy, weight * xy * yy,
-      weight * yy * yy };
-    for (int i = 0; i < 15; ++i)
-    {
-      this->Moments[i] += powers[i];
-    }
-    for (int i = 0; i < 6; ++i)
-    {
-      this->Right[i] += z * powers[i];
-    }
-  }
-
-  /// The tangent plane with normal (nx, ny, nz) at (x, y).
-  void AddNormal(double x, double y, const Point3& normal, double weight)
-  {
-    const double nz = normal[2];
-    this->AddRow({ 0.0, nz, 0.0, 2.0 * x * nz, y * nz, 0.0 }, -normal[0], weight);
-    this->AddRow({ 0.0, 0.0, nz, 0.0, x * nz, 2.0 * y * nz }, -normal[1], weight);
-  }
-
-  /// Height at the origin; 0 if the data do not determine it.
-  double HeightAtOrigin()
-  {
-    // Which moment each product of two terms is.
-    constexpr int product[6][6] = { { 0, 1, 2, 3, 4, 5 }, { 1, 3, 4, 6, 7, 8 },
-      { 2, 4, 5, 7, 8, 9 }, { 3, 6, 7, 10, 11, 12 }, { 4, 7, 8, 11, 12, 13 },
-      { 5, 8, 9, 12, 13, 14 } };
-    for (int i = 0; i < 6; ++i)
-    {
-      for (int j = 0; j <= i; ++j)
-      {
-        this->Matrix[i][j] += this->Moments[product[i][j]];
-      }
-      // Little data leave second derivatives open: the flattest solution is taken.
-      this->Matrix[i][i] += i < 3 ? 1e-12 : 1e-6;
-    }
-    if (!Factorize(this->Matrix))
-    {
-      return 0.0;
-    }
-    Substitute(this->Matrix, this->Right);
-    return this->Right[0];
-  }
-
-private:
-  void AddRow(const std::array<double, 6>& row, double value, double weight)
-  {
-    for (int i = 1; i < 6; ++i)
-    {
-      for (int j = 1; j <= i; ++j)
-      {
-        this->Matrix[i][j] += weight * row[i] * row[j];
-      }
-      this->Right[i] += weight * row[i] * value;
-    }
-  }
-
-  double Moments[15] = {};  ///< of the points, weighted
-  double Matrix[6][6] = {}; ///< of the normals
-  double Right[6] = {};
-};
-
-/**
- * Least distance of a central point from the faces of its cell, as a part of the cell's width. A
- * cell is convex, so that the rays from a point strictly inside to the points of its boundary
- * meet nowhere else: the fan of a polygon without crossings has none either.
- */
-constexpr double InnerMargin = 1e-3;
 
 /// Of a dome over a loop, as a part of the cell's width: the surface ends anywhere in the cell.
 constexpr double HighestDome = 0.5;
@@ -394,7 +313,7 @@ std::vector<double> LocateCentralPoints(CentralPointMethod method, const CycleGe
         for (int axis = 0; axis < 3; ++axis)
         {
           centers[3 * cycle + axis] =
-            grid.MoveInside(axis, cycles.Cell[cycle][axis], center[axis], InnerMargin);
+            grid.MoveInside(axis, cycles.Cell[cycle][axis], center[axis], CentralPointMargin);
         }
       }
     });

@@ -15,6 +15,13 @@ enum class CentralPointMethod
 };
 
 /**
+ * Least distance of a central point from the faces of its cell, as a part of the cell's width. A
+ * cell is convex, so that the rays from a point strictly inside to the points of its boundary
+ * meet nowhere else: the fan of a polygon without crossings has none either.
+ */
+constexpr double CentralPointMargin = 1e-3;
+
+/**
  * Surface normals at the node points, x, y, z of each, pointing outwards. Two contours cross
  * there, so the normal is the cross product of their tangents: known, not estimated (our own
  * addition). Its length is the sine of the angle between the tangents, and 0 where a tangent is

@@ -15,9 +15,14 @@ void ContourCurve::Set(std::vector<Point2>&& points)
   this->Lengths.assign(this->Points.size() + 1, 0.0);
   for (Index i = 0; i < this->Count(); ++i)
   {
-    const Point2 &p = this->Points[i], &q = this->Points[this->After(i)];
-    this->Lengths[i + 1] = this->Lengths[i] + std::hypot(q[0] - p[0], q[1] - p[1]);
+    this->Lengths[i + 1] = this->Lengths[i] + this->Distance(i, this->After(i));
   }
+}
+
+double ContourCurve::Distance(Index i, Index j) const
+{
+  const Point2 &p = this->Points[i], &q = this->Points[j];
+  return std::hypot(q[0] - p[0], q[1] - p[1]);
 }
 
 /// The difference to the first point that is `reach` away.
@@ -39,16 +44,22 @@ Point2 ContourCurve::Reach(Index i, double reach, bool forward) const
 
 double ContourCurve::FindNoise(double window) const
 {
+  // Residuals are greater near corners: the lower quarter tells noise from these.
+  constexpr double toDeviation = 1.2;
+  // Beyond that, points say more of the curve's bends than of noise.
+  const double most = 1.7 * window;
   // A sample of the points will do.
   const Index step = std::max<Index>(1, this->Count() / 64);
   std::vector<double> residuals;
   for (Index i = 0; i < this->Count(); i += step)
   {
-    residuals.push_back(this->FitAt(i, window).Residual);
+    const bool isNear = this->Distance(i, this->Before(this->Before(i))) <= most &&
+      this->Distance(i, this->After(this->After(i))) <= most;
+    residuals.push_back(isNear ? this->FitAt(i, window).Residual : 0.0);
   }
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  return *middle;
+  const auto quarter = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 4);
+  std::nth_element(residuals.begin(), quarter, residuals.end());
+  return toDeviation * *quarter;
 }
 
 void ContourCurve::FindCorners(double spacing, double noise, double angle)

@@ -23,8 +23,8 @@ public:
   double LengthTo(Index i) const { return this->Lengths[i]; }
 
   /**
-   * How far the points lie from a smooth curve: the median of the residuals of curves fitted up to
-   * `window` around them.
+   * How far the points lie from a smooth curve: the lower quartile, scaled, of the residuals of
+   * curves fitted up to `window` around them. Points too far apart to tell have none.
    */
   double FindNoise(double window) const;
 
@@ -52,6 +52,7 @@ private:
   void MarkSharpest(const std::vector<double>& turns, double reach);
   struct Moments;
   double Step(Index i) const { return this->Lengths[i + 1] - this->Lengths[i]; }
+  double Distance(Index i, Index j) const;
   Index After(Index i) const { return i + 1 < this->Count() ? i + 1 : 0; }
   Index Before(Index i) const { return i > 0 ? i - 1 : this->Count() - 1; }
   Point2 Reach(Index i, double reach, bool forward) const;

@@ -170,6 +170,11 @@ void CoonsBuilder::AddStrip(std::size_t quadrilateral)
     outer.emplace_back(
       i < node ? -this->Before.Shares[node - i] : this->After.Shares[i - node], ((i % n) + n) % n);
   }
+  if (q.First == node)
+  {
+    // The first row then lies on one line with the node point: no triangles between the two.
+    outer[1].first = std::min(outer[1].first, 1.0 / k);
+  }
   for (Index b = k; b >= 1; --b)
   {
     inner.emplace_back(-double(b) / k, this->Corner(quadrilateral, 1, b));

@@ -101,7 +101,8 @@ InnerPatches PatchFiller::Fill(std::size_t begin, std::size_t end) const
   for (std::size_t i = begin; i < end; ++i)
   {
     const Index cycle = static_cast<Index>(i);
-    if (this->MeshOf[cycle] >= 0 || this->Geometry.IsLoop(cycle))
+    if (this->MeshOf[cycle] >= 0 ||
+      (this->Method == PatchMethod::Coons && this->Geometry.IsLoop(cycle)))
     {
       continue;
     }

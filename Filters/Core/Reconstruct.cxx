@@ -4,6 +4,7 @@
 
 #include "AssembleContours.h"
 #include "Box.h"
+#include "Domes.h"
 #include "SeparatePatches.h"
 #include "SmallComponents.h"
 #include "SmoothContours.h"
@@ -139,6 +140,7 @@ SeparatedPatches ChoosePatches(const Options& options, const std::vector<double>
       result.Grid, result.Polygons, options.Criterion, known.Pairs, execution, result.Graph);
   }
   result.Surface.CentralPoints = LocateCentralPoints(options.Central, geometry, normals, execution);
+  LowerDomes(geometry, result.Cells, normals, result.Surface.CentralPoints);
   result.Joins.clear();
   if (options.Several == SeveralCycles::ByEvidence)
   {
@@ -271,7 +273,8 @@ void FillPolygons(const Options& options, const Execution& execution, Reconstruc
   const CycleGeometry geometry = GeometryOf(result);
   if (options.Patching.Method != PatchMethod::Fan)
   {
-    result.Normals = EstimateNormals(geometry, options.Patching.CornerAngle, execution);
+    result.Normals = EstimateNormals(geometry, options.Patching.CornerAngle,
+      TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), execution);
   }
   result.Surface.Inner = BuildInnerPatches(geometry, result.Cells, result.Normals,
     result.Surface.CentralPoints, result.Surface.Meshes, options.Patching, execution);

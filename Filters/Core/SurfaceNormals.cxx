@@ -66,7 +66,7 @@ public:
     this->Result.Corners.assign(geometry.Graph.Count(), 0);
   }
 
-  SurfaceNormals Run(const Execution& execution);
+  SurfaceNormals Run(const std::vector<double>& loopTilts, const Execution& execution);
 
 private:
   /// The tangent at a point, of unit length, as floats: as many as there are contour points.
@@ -89,7 +89,7 @@ private:
   void FitSlope(const ContourRing& ring, const std::vector<TiltSample>& samples, std::size_t before,
     SlopeFit& fit);
   void WriteNormals(const ContourRing& ring);
-  void WriteLoop(Index loop);
+  void WriteLoop(Index loop, double tilt);
 
   const CycleGeometry& Geometry;
   GridEdgeCode Code;
@@ -409,7 +409,7 @@ void NormalEstimator::WriteNormals(const ContourRing& ring)
   }
 }
 
-void NormalEstimator::WriteLoop(Index loop)
+void NormalEstimator::WriteLoop(Index loop, double tilt)
 {
   const NodeGraph& graph = this->Geometry.Graph;
   const int axis = graph.Loops[loop].Axis;
@@ -420,13 +420,14 @@ void NormalEstimator::WriteLoop(Index loop)
       graph.PointAt(first + (i + 1) % n) - graph.PointAt(first + (i + n - 1) % n);
     Point3 up{ 0.0, 0.0, 0.0 };
     up[axis] = 1.0;
-    const Point3 normal = Unit(Cross(along, up));
+    const Point3 normal = std::sqrt(1.0 - tilt * tilt) * Unit(Cross(along, up)) + tilt * up;
     std::copy(normal.begin(), normal.end(),
       this->Result.Normals.begin() + 3 * static_cast<std::size_t>(first + i));
   }
 }
 
-SurfaceNormals NormalEstimator::Run(const Execution& execution)
+SurfaceNormals NormalEstimator::Run(
+  const std::vector<double>& loopTilts, const Execution& execution)
 {
   const std::array<std::vector<Index>, 3> starts = this->FindRings();
   // Contours of one axis have no points in common.
@@ -459,7 +460,7 @@ SurfaceNormals NormalEstimator::Run(const Execution& execution)
   forRings([this](ContourRing& ring) { this->WriteNormals(ring); });
   for (std::size_t loop = 0; loop < this->Geometry.Graph.Loops.size(); ++loop)
   {
-    this->WriteLoop(static_cast<Index>(loop));
+    this->WriteLoop(static_cast<Index>(loop), loopTilts.empty() ? 0.0 : loopTilts[loop]);
   }
   execution.For(this->Geometry.Graph.Count(),
     [&](std::size_t begin, std::size_t end)
@@ -480,9 +481,9 @@ SurfaceNormals NormalEstimator::Run(const Execution& execution)
 }
 }
 
-SurfaceNormals EstimateNormals(
-  const CycleGeometry& geometry, double cornerAngle, const Execution& execution)
+SurfaceNormals EstimateNormals(const CycleGeometry& geometry, double cornerAngle,
+  const std::vector<double>& loopTilts, const Execution& execution)
 {
-  return NormalEstimator(geometry, cornerAngle).Run(execution);
+  return NormalEstimator(geometry, cornerAngle).Run(loopTilts, execution);
 }
 }

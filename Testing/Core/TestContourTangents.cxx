@@ -178,35 +178,54 @@ TEST(ContourCurve, ResidualIsTheNoise)
 }
 
 //----------------------------------------------------------------------------
-TEST(ContourCurve, WindowIsTheLeastWithoutNoise)
+TEST(ContourCurve, NoiseIsThatOfMostPoints)
 {
-  const ContourCurve curve = CurveOf(Ellipse(1.0, 1.0, RandomAngles(300, 2)));
-  EXPECT_EQ(curve.SuitableWindow(0.15, 1.5), 0.15);
-}
-
-//----------------------------------------------------------------------------
-TEST(ContourCurve, WindowGrowsWithTheNoiseToTheMost)
-{
-  double before = 0.1;
-  for (const double noise : { 0.004, 0.02, 0.1 })
+  constexpr double most = 0.01;
+  std::vector<Point2> points = WithNoise(Ellipse(1.0, 1.0, EqualAngles(800)), most, 3);
+  points[100] = { 3.0, 3.0 }; // one bad point says nothing of the others
+  EXPECT_NEAR(CurveOf(std::move(points)).FindNoise(0.4), most * std::sqrt(2.0 / 3.0), 0.25 * most);
+  EXPECT_LT(CurveOf(Ellipse(1.0, 1.0, RandomAngles(300, 2))).FindNoise(0.2), 1e-4);
+  for (const int parts : { 1, 2, 3, 10, 40 })
   {
-    const double window =
-      CurveOf(WithNoise(Ellipse(1.0, 1.0, EqualAngles(300)), noise, 4)).SuitableWindow(0.1, 10.0);
-    EXPECT_GT(window, before);
-    before = window;
+    EXPECT_LT(CurveOf(Square(parts)).FindNoise(0.1), 1e-6) << parts;
   }
-  const ContourCurve noisy = CurveOf(WithNoise(Ellipse(1.0, 1.0, EqualAngles(300)), 0.1, 4));
-  EXPECT_EQ(noisy.SuitableWindow(0.1, 0.2), 0.2);
 }
 
 //----------------------------------------------------------------------------
-TEST(ContourCurve, SuitableWindowMeasuresNoisyTangentsBetter)
+MeasuredCurve Measure(std::vector<Point2> points, double spacing)
+{
+  MeasuredCurve measured;
+  measured.Set(std::move(points), spacing, 1.05);
+  return measured;
+}
+
+//----------------------------------------------------------------------------
+TEST(MeasuredCurve, WindowIsTheLeastWithoutNoise)
+{
+  const std::vector<Point2> points = Ellipse(1.0, 1.0, RandomAngles(2000, 2));
+  EXPECT_DOUBLE_EQ(Measure(points, 0.2).Window, Measure(Square(1000), 0.2).Window);
+}
+
+//----------------------------------------------------------------------------
+TEST(MeasuredCurve, WindowGrowsWithTheNoiseToTheMost)
+{
+  constexpr double spacing = 0.2;
+  const auto window = [&](double noise)
+  { return Measure(WithNoise(Ellipse(1.0, 1.0, EqualAngles(800)), noise, 4), spacing).Window; };
+  EXPECT_LT(window(0.0), window(0.001));
+  EXPECT_LT(window(0.001), window(0.004));
+  EXPECT_LE(window(0.004), window(0.02));
+  EXPECT_DOUBLE_EQ(window(0.02), window(0.03));
+  EXPECT_LE(window(0.03), 2.0 * spacing);
+}
+
+//----------------------------------------------------------------------------
+TEST(MeasuredCurve, WindowMeasuresNoisyTangentsBetter)
 {
   const std::vector<double> angles = EqualAngles(300);
-  const ContourCurve curve = CurveOf(WithNoise(Ellipse(1.0, 1.0, angles), 0.01, 5));
-  const double window = curve.SuitableWindow(0.1, 1.5);
-  EXPECT_LT(TangentError(curve, 1.0, 1.0, angles, window),
-    0.6 * TangentError(curve, 1.0, 1.0, angles, 0.1));
+  const MeasuredCurve measured = Measure(WithNoise(Ellipse(1.0, 1.0, angles), 0.01, 5), 0.3);
+  EXPECT_LT(TangentError(measured.Curve, 1.0, 1.0, angles, measured.Window),
+    0.6 * TangentError(measured.Curve, 1.0, 1.0, angles, 0.1));
 }
 
 //----------------------------------------------------------------------------
@@ -215,10 +234,10 @@ TEST(ContourCurve, FindsTheCornersOfASquare)
   for (const int parts : { 1, 2, 3, 10, 40 })
   {
     ContourCurve curve = CurveOf(Square(parts));
-    curve.FindCorners(0.12, 1.05);
+    curve.FindCorners(1.0, 0.0, 1.05);
     EXPECT_EQ(CornersOf(curve), (std::vector<Index>{ 0, parts, 2 * parts, 3 * parts })) << parts;
     EXPECT_TRUE(curve.HasCorners());
-    curve.FindCorners(0.12, 1.6); // more than a right angle
+    curve.FindCorners(1.0, 0.0, 1.6); // more than a right angle
     EXPECT_FALSE(curve.HasCorners());
   }
 }
@@ -227,7 +246,7 @@ TEST(ContourCurve, FindsTheCornersOfASquare)
 TEST(ContourCurve, NewPointsHaveNoCorners)
 {
   ContourCurve curve = CurveOf(Square(4));
-  curve.FindCorners(0.12, 1.05);
+  curve.FindCorners(1.0, 0.0, 1.05);
   ASSERT_TRUE(curve.HasCorners());
   curve.Set(Square(4));
   EXPECT_FALSE(curve.HasCorners());
@@ -238,11 +257,11 @@ TEST(ContourCurve, NewPointsHaveNoCorners)
 TEST(ContourCurve, SmoothAndNoisyCurvesHaveNoCorners)
 {
   ContourCurve smooth = CurveOf(Ellipse(1.0, 0.6, RandomAngles(100, 6)));
-  smooth.FindCorners(0.12, 1.05);
+  smooth.FindCorners(1.0, 0.0, 1.05);
   EXPECT_FALSE(smooth.HasCorners());
   // Points closer together than the noise turn sharply, but not over the reach.
   ContourCurve noisy = CurveOf(WithNoise(Ellipse(1.0, 0.6, EqualAngles(1000)), 0.006, 7));
-  noisy.FindCorners(0.12, 1.05);
+  noisy.FindCorners(1.0, noisy.FindNoise(0.4), 1.05);
   EXPECT_FALSE(noisy.HasCorners());
 }
 
@@ -251,7 +270,7 @@ TEST(ContourCurve, TangentsDoNotReachAcrossCorners)
 {
   constexpr int parts = 20;
   ContourCurve curve = CurveOf(Square(parts));
-  curve.FindCorners(0.12, 1.05);
+  curve.FindCorners(1.0, 0.0, 1.05);
   const Point2 directions[4] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
   for (Index i = 0; i < curve.Count(); ++i)
   {

@@ -22,7 +22,7 @@ struct CoonsPatch
 {
   CoonsPatch(const Stages& stages, Index cycle, Index parts)
   {
-    const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, Execution());
+    const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, {}, Execution());
     this->Border.Set(stages.Geometry(), normals, cycle);
     this->Built =
       BuildCoonsPatch(stages.Grid, this->Border, this->Border.Center, parts, this->Patch);
@@ -191,7 +191,7 @@ TEST(CoonsPatch, BlendsTheSidesBilinearly)
 TEST(CoonsPatch, FoldedOnesAreNotBuilt)
 {
   const Stages stages{ Cube() };
-  const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, Execution());
+  const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, {}, Execution());
   PatchBorder border;
   border.Set(stages.Geometry(), normals, CycleIn(stages, { 1, 1, 2 }));
   InnerPatch patch;

@@ -22,7 +22,7 @@ struct Crease
   {
     const auto& cells = stages.Polygons.Cell;
     this->Cycle = static_cast<Index>(std::find(cells.begin(), cells.end(), cell) - cells.begin());
-    this->Normals = EstimateNormals(stages.Geometry(), 1.05, Execution());
+    this->Normals = EstimateNormals(stages.Geometry(), 1.05, {}, Execution());
     this->Border.Set(stages.Geometry(), this->Normals, this->Cycle);
     this->Deviation =
       BuildCreasePatch(stages.Grid, this->Border, this->Normals.Corners, this->Patch);
@@ -86,7 +86,7 @@ TEST(CreasePatch, IsAFanWithItsPointInsideTheCell)
   for (std::uint64_t seed = 0; seed < 30; ++seed)
   {
     const Stages stages(RandomContradictoryInput(seed));
-    const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 0.5, Execution());
+    const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 0.5, {}, Execution());
     PatchBorder border;
     InnerPatch patch;
     for (Index cycle = 0; cycle < stages.Polygons.Count(); ++cycle)

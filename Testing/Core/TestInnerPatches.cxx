@@ -31,7 +31,7 @@ struct Borders
   explicit Borders(const Stages& stages)
     : Geometry(stages.Geometry())
     , Cells(GroupByCell(stages.Grid, stages.Polygons, Execution()))
-    , Normals(EstimateNormals(Geometry, 1.05, Execution()))
+    , Normals(EstimateNormals(Geometry, 1.05, {}, Execution()))
     , CentralPoints(LocateCentralPoints(CentralPointMethod::Centroid, Geometry,
         std::vector<double>(3 * static_cast<std::size_t>(stages.Nodes.Count()), 0.0), Execution()))
   {
@@ -179,7 +179,7 @@ TEST(InnerPatches, LoopsGetNone)
 //----------------------------------------------------------------------------
 TEST(InnerPatches, SmallerSidesMakeMorePoints)
 {
-  const Stages stages{ Cube() };
+  const Stages stages{ Cube(12) };
   const Borders borders(stages);
   for (const PatchMethod method : { PatchMethod::Smooth, PatchMethod::Coons })
   {
@@ -198,7 +198,7 @@ TEST(InnerPatches, SmallerSidesMakeMorePoints)
 /// Creases only at corners: the vertices and edges of a cube, one point each.
 TEST(InnerPatches, BordersWithCornersGetCreases)
 {
-  const Stages stages{ Cube() };
+  const Stages stages{ Cube(12) };
   const InnerPatches patches = Borders(stages).Build(With(PatchMethod::Smooth));
   ASSERT_EQ(patches.Count(), 26);
   for (Index i = 0; i < patches.Count(); ++i)

@@ -100,7 +100,7 @@ TEST(SmoothPatch, IsADiscWithPointsInsideTheCell)
   {
     const Stages stages(
       seed % 2 == 0 ? RandomConsistentInput(seed) : RandomContradictoryInput(seed));
-    const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, Execution());
+    const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, {}, Execution());
     cycles += stages.Polygons.Count();
     VisitPatches(stages, normals, { 0.06, 0.0 },
       [&](Index cycle, const PatchBorder& border, const InnerPatch& patch)
@@ -119,7 +119,13 @@ TEST(SmoothPatch, IsADiscWithPointsInsideTheCell)
         }
         for (const auto& t : patch.Triangles)
         {
-          ASSERT_TRUE(t[0] < 0 || t[1] < 0 || t[2] < 0); // none lies on a face
+          // No side inside the patch lies on a face of the cell.
+          for (int k = 0; k < 3; ++k)
+          {
+            const Index a = t[k], b = t[(k + 1) % 3];
+            ASSERT_TRUE(
+              a < 0 || b < 0 || b == (a + 1) % border.Count() || !border.AreOnOneFace(a, b));
+          }
         }
       });
   }
@@ -175,19 +181,20 @@ TEST(SmoothPatch, ErrorFallsWithTheFourthPowerOfTheSpacing)
 //----------------------------------------------------------------------------
 TEST(SmoothPatch, SidesAreAsLongAsAskedFor)
 {
-  const Stages stages = SphereSlices(5, 6);
+  const Stages stages = SphereSlices(5, 30);
   std::size_t before = 0;
   for (const double length : { 0.3, 0.15, 0.07, 0.03 })
   {
     double longest = 0.0;
     std::size_t points = 0;
-    VisitPatches(stages, ExactNormals(stages), { length, 0.0 },
+    const Index failed = VisitPatches(stages, ExactNormals(stages), { length, 0.0 },
       [&](Index, const PatchBorder& border, const InnerPatch& patch)
       {
         points += patch.Points.size();
         VisitSides(border, patch,
           [&](const Point3& p, const Point3& q) { longest = std::max(longest, Length(q - p)); });
       });
+    EXPECT_EQ(failed, 0);
     EXPECT_LT(longest, 2.0 * length);
     EXPECT_GT(points, before + before / 2);
     before = points;
@@ -243,7 +250,7 @@ TEST(SmoothPatch, TrianglesAtTheBorderHaveTheGivenNormals)
   const auto errorOf = [](int subdivisions)
   {
     const Stages stages = SphereSlices(6, subdivisions);
-    const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, Execution());
+    const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, {}, Execution());
     double sum = 0.0;
     Index count = 0;
     VisitPatches(stages, normals, { 0.1, 0.0 },
@@ -277,7 +284,7 @@ TEST(SmoothPatch, TrianglesAtTheBorderHaveTheGivenNormals)
 TEST(SmoothPatch, OfAFlatBorderIsFlat)
 {
   const Stages stages{ Cube() };
-  const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, Execution());
+  const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, {}, Execution());
   Index flat = 0;
   VisitPatches(stages, normals, { 0.2, 0.0 },
     [&](Index cycle, const PatchBorder&, const InnerPatch& patch)
@@ -304,7 +311,7 @@ TEST(SmoothPatch, DeviationTellsCreasesFromSmoothBorders)
   const Stages cube{ Cube() }, sphere = SphereSlices(5, 20);
   const auto mostOf = [](const Stages& stages)
   {
-    const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, Execution());
+    const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, {}, Execution());
     SmoothPatchBuilder builder(stages.Grid, { 0.1, 0.0 });
     PatchBorder border;
     InnerPatch patch;

@@ -21,7 +21,7 @@ constexpr double CornerAngle = 1.05;
 
 SurfaceNormals NormalsOf(const Stages& stages, double cornerAngle = CornerAngle)
 {
-  return EstimateNormals(stages.Geometry(), cornerAngle, Execution());
+  return EstimateNormals(stages.Geometry(), cornerAngle, {}, Execution());
 }
 
 Point3 NormalAt(const SurfaceNormals& normals, Index point)
@@ -200,7 +200,7 @@ TEST(SurfaceNormals, OfLoopsLieInTheirPlane)
   }
   const Reconstruction result = Reconstruct(ParsePieces(text), Options(), Execution());
   ASSERT_EQ(result.Graph.Loops.size(), 1u);
-  const SurfaceNormals normals = EstimateNormals(GeometryOf(result), CornerAngle, Execution());
+  const SurfaceNormals normals = EstimateNormals(GeometryOf(result), CornerAngle, {}, Execution());
   ASSERT_EQ(result.Graph.Count(), 40);
   for (Index i = 0; i < 40; ++i)
   {
@@ -231,7 +231,7 @@ TEST(SurfaceNormals, SameForAnyNumberOfThreads)
   {
     const Stages stages(RandomContradictoryInput(seed));
     const SurfaceNormals one = NormalsOf(stages);
-    const SurfaceNormals many = EstimateNormals(stages.Geometry(), CornerAngle, ManyThreads());
+    const SurfaceNormals many = EstimateNormals(stages.Geometry(), CornerAngle, {}, ManyThreads());
     EXPECT_EQ(one.Normals, many.Normals);
     EXPECT_EQ(one.Corners, many.Corners);
   }

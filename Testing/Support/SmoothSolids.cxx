@@ -43,7 +43,7 @@ void SetFunction(Function&& function, SmoothSolid& solid)
 /// The trefoil, with its first two derivatives.
 struct Knot
 {
-  static constexpr double Width = 0.31, Height = 0.42, Radius = 0.17;
+  static constexpr double Width = 0.31, Height = 0.42, Radius = 0.19;
 
   static Point3 At(double t)
   {
@@ -100,7 +100,7 @@ public:
 
 private:
   static constexpr int Count = 80, Samples = 512;
-  static constexpr double Low = -1.4, Size = 2.8 / Count;
+  static constexpr double Low = -1.45, Size = 2.9 / Count;
   std::vector<double> Starts;
 };
 
@@ -202,12 +202,12 @@ SmoothSolid SmoothEllipsoid()
 
 SmoothSolid SmoothGyroid()
 {
-  constexpr double frequency = 3.7, radius = 0.97, rounding = 0.25;
-  SmoothSolid solid = MakeSolid("gyroid", 1.05, -1);
+  constexpr double frequency = 3.0, radius = 1.0, rounding = 0.5;
+  SmoothSolid solid = MakeSolid("gyroid", 1.12, -1);
   SetFunction(
     [=](const Point3& p, Point3& gradient)
     {
-      const Point3 x{ frequency * p[0] + 0.4, frequency * p[1] - 0.3, frequency * p[2] + 0.9 };
+      const Point3 x{ frequency * p[0] - 0.9, frequency * p[1] + 0.3, frequency * p[2] - 1.8 };
       const Point3 s{ std::sin(x[0]), std::sin(x[1]), std::sin(x[2]) };
       const Point3 c{ std::cos(x[0]), std::cos(x[1]), std::cos(x[2]) };
       // Both functions have slopes of about 1.
@@ -221,7 +221,7 @@ SmoothSolid SmoothGyroid()
       const double smooth = std::sqrt(difference * difference + rounding * rounding);
       const double share = difference / smooth;
       gradient = 0.5 * ((1.0 + share) * ofGyroid + (1.0 - share) * ofBall);
-      return 0.5 * (gyroid + ball + smooth);
+      return 0.5 * (gyroid + ball + smooth) - 0.4 * rounding;
     },
     solid);
   return solid;
@@ -259,7 +259,7 @@ SmoothSolid SmoothMetaballs()
 
 SmoothSolid SmoothKnot()
 {
-  SmoothSolid solid = MakeSolid("knot", 1.25, 1);
+  SmoothSolid solid = MakeSolid("knot", 1.3, 1);
   const auto starts = std::make_shared<const KnotStarts>();
   SetFunction(
     [starts](const Point3& p, Point3& gradient) { return KnotValue(*starts, p, gradient); }, solid);

@@ -90,12 +90,25 @@ private:
  * meets it twice: 24 node points, 48 arcs, and a spatial polygon in every cell but the middle one:
  * 8 of three node points at the corners, 18 of four at edges and faces.
  */
-inline std::string Cube()
+inline std::string Cube(int parts = 1)
 {
+  const double corners[5][2] = { { 0.5, 0.5 }, { 2.5, 0.5 }, { 2.5, 2.5 }, { 0.5, 2.5 },
+    { 0.5, 0.5 } };
+  std::string square;
+  for (int side = 0; side < 4; ++side)
+  {
+    for (int i = 0; i < parts; ++i)
+    {
+      const double share = double(i) / parts;
+      const auto at = [&](int k)
+      { return corners[side][k] + share * (corners[side + 1][k] - corners[side][k]); };
+      square += " " + std::to_string(at(0)) + "," + std::to_string(at(1));
+    }
+  }
   std::string text;
   for (const char* plane : { "x=1:", "x=2:", "y=1:", "y=2:", "z=1:", "z=2:" })
   {
-    text += std::string(plane) + " 0.5,0.5 2.5,0.5 2.5,2.5 0.5,2.5\n";
+    text += plane + square + "\n";
   }
   return text;
 }

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Domes.h"
+
+#include "CentralPoint.h"
+#include "QuadraticFit.h"
+#include "Vectors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthoslices
+{
+namespace
+{
+/// A loop as its dome has it.
+struct DomeBase
+{
+  int Axis = 2;
+  double Up = 1.0; ///< or -1: where the dome is
+  Point3 Center{};
+  double Radius = 0.0;
+  double Area = 0.0; ///< positive if the loop runs anticlockwise around its inside
+  std::vector<Point3> Points;
+
+  void Set(const CycleGeometry& geometry, Index cycle);
+  /// Along the axes of the slice and upwards.
+  Point3 ToLocal(const Point3& d) const
+  {
+    return { d[FirstAxis(this->Axis)], d[SecondAxis(this->Axis)], this->Up * d[this->Axis] };
+  }
+  double HeightOf(const double* centralPoint) const
+  {
+    return this->Up * (centralPoint[this->Axis] - this->Center[this->Axis]);
+  }
+};
+
+void DomeBase::Set(const CycleGeometry& geometry, Index cycle)
+{
+  const NodeGraph& graph = geometry.Graph;
+  const Index arc = geometry.FirstArc(cycle).Arc, first = graph.FirstPoint(arc);
+  this->Axis = graph.Loops[geometry.LoopOf(cycle)].Axis;
+  this->Up = geometry.FirstArc(cycle).Above ? 1.0 : -1.0;
+  this->Points.clear();
+  for (Index i = 0; i < graph.PointCount(arc); ++i)
+  {
+    this->Points.push_back(graph.PointAt(first + i));
+  }
+  const std::size_t n = this->Points.size();
+  CurveCenter center(this->Points[0]);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    center.Add(this->Points[i], this->Points[(i + 1) % n]);
+  }
+  this->Center = center.Get();
+  double radius2 = 0.0;
+  this->Area = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Point3 d = this->Points[i] - this->Center, e = this->Points[(i + 1) % n] - this->Center;
+    radius2 += Dot(d, d) / static_cast<double>(n);
+    this->Area += 0.5 * Cross(d, e)[this->Axis];
+  }
+  this->Radius = std::sqrt(radius2);
+}
+
+/// The height of the dome that goes on from a polygon; 0 if there is none.
+class DomeFit
+{
+public:
+  DomeFit(const CycleGeometry& geometry, const std::vector<double>& nodeNormals)
+    : Geometry(geometry)
+    , NodeNormals(nodeNormals)
+  {
+  }
+
+  double HeightOver(const DomeBase& base, Index polygon);
+
+private:
+  Point3 NormalAt(Index node) const
+  {
+    const double* n = this->NodeNormals.data() + 3 * static_cast<std::size_t>(node);
+    return { n[0], n[1], n[2] };
+  }
+  bool IsHeightFunction(const DomeBase& base) const;
+
+  const CycleGeometry& Geometry;
+  const std::vector<double>& NodeNormals;
+  std::vector<Index> Border, NodePlaces;
+};
+
+/// Whether the surface at all node points faces up or all down.
+bool DomeFit::IsHeightFunction(const DomeBase& base) const
+{
+  constexpr double least = 0.1; // else nearly upright
+  double side = 0.0;
+  for (const Index place : this->NodePlaces)
+  {
+    const Point3 normal = this->NormalAt(this->Border[place]);
+    const double up = normal[base.Axis];
+    if (!(std::abs(up) > least * Length(normal)) || up * side < 0.0)
+    {
+      return false;
+    }
+    side = up;
+  }
+  return !this->NodePlaces.empty();
+}
+
+double DomeFit::HeightOver(const DomeBase& base, Index polygon)
+{
+  constexpr double weightOfLoop = 10.0; // that of the polygon is 1
+  this->Geometry.GetBoundary(polygon, this->Border, this->NodePlaces);
+  if (!this->IsHeightFunction(base))
+  {
+    return 0.0;
+  }
+  const std::size_t n = this->Border.size();
+  std::vector<Point3> places(n);
+  double unit = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    places[i] = base.ToLocal(this->Geometry.Graph.PointAt(this->Border[i]) - base.Center);
+    unit = std::max(unit, Length(places[i]));
+  }
+  QuadraticFit fit;
+  double length = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    length += Length(places[(i + 1) % n] - places[i]);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Point3 p = (1.0 / unit) * places[i];
+    const double before = Length(places[i] - places[(i + n - 1) % n]);
+    const double after = Length(places[(i + 1) % n] - places[i]);
+    fit.AddPoint(p[0], p[1], p[2], 0.5 * (before + after) / length);
+  }
+  for (const Index place : this->NodePlaces)
+  {
+    const Point3 p = (1.0 / unit) * places[place];
+    const Point3 normal = base.ToLocal(this->NormalAt(this->Border[place]));
+    fit.AddNormal(p[0], p[1], normal, 1.0 / static_cast<double>(this->NodePlaces.size()));
+  }
+  for (const Point3& point : base.Points)
+  {
+    const Point3 p = (1.0 / unit) * base.ToLocal(point - base.Center);
+    fit.AddPoint(p[0], p[1], p[2], weightOfLoop / static_cast<double>(base.Points.size()));
+  }
+  return unit * fit.HeightAtOrigin();
+}
+}
+
+void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
+  const std::vector<double>& nodeNormals, std::vector<double>& centralPoints)
+{
+  const Cycles& cycles = geometry.Polygons;
+  // The cycles of each loop, below its slice and above.
+  std::vector<std::array<Index, 2>> sides(geometry.Graph.Loops.size(), { -1, -1 });
+  for (Index cycle = 0; cycle < cycles.Count() && !sides.empty(); ++cycle)
+  {
+    if (geometry.IsLoop(cycle))
+    {
+      sides[geometry.LoopOf(cycle)][geometry.FirstArc(cycle).Above ? 1 : 0] = cycle;
+    }
+  }
+  DomeFit fit(geometry, nodeNormals);
+  DomeBase base;
+  for (const auto& range : cells.Several)
+  {
+    const auto begin = cells.Cycles.begin() + range.first,
+               end = cells.Cycles.begin() + range.second;
+    const auto isPolygon = [&](Index cycle) { return !geometry.IsLoop(cycle); };
+    if (sides.empty() || std::count_if(begin, end, isPolygon) != 1)
+    {
+      continue;
+    }
+    const Index polygon = *std::find_if(begin, end, isPolygon);
+    for (auto cycle = begin; cycle != end; ++cycle)
+    {
+      const Index dome = *cycle == polygon
+        ? -1
+        : sides[geometry.LoopOf(*cycle)][geometry.FirstArc(*cycle).Above ? 0 : 1];
+      if (dome < 0)
+      {
+        continue;
+      }
+      base.Set(geometry, dome);
+      double* apex = centralPoints.data() + 3 * static_cast<std::size_t>(dome);
+      const double height = fit.HeightOver(base, polygon);
+      if (height > 0.0 && height < base.HeightOf(apex))
+      {
+        const double place = base.Center[base.Axis] + base.Up * height;
+        apex[base.Axis] = geometry.Grid.MoveInside(
+          base.Axis, cycles.Cell[dome][base.Axis], place, CentralPointMargin);
+      }
+    }
+  }
+}
+
+std::vector<double> TiltOfDomes(const CycleGeometry& geometry,
+  const std::vector<double>& centralPoints, const std::vector<PatchMesh>& meshes)
+{
+  std::vector<double> tilts(geometry.Graph.Loops.size(), 0.0);
+  if (tilts.empty())
+  {
+    return tilts;
+  }
+  std::vector<std::uint8_t> isJoined(static_cast<std::size_t>(geometry.Polygons.Count()), 0);
+  for (const PatchMesh& mesh : meshes)
+  {
+    for (const Index cycle : mesh.Cycles)
+    {
+      isJoined[cycle] = 1;
+    }
+  }
+  DomeBase base;
+  for (Index cycle = 0; cycle < geometry.Polygons.Count(); ++cycle)
+  {
+    if (geometry.IsLoop(cycle) && isJoined[cycle] == 0)
+    {
+      base.Set(geometry, cycle);
+      const double height =
+        base.HeightOf(centralPoints.data() + 3 * static_cast<std::size_t>(cycle));
+      const double a = base.Radius * base.Radius, b = height * height;
+      // Contours run anticlockwise around what is inside.
+      const double outwards = base.Area > 0.0 ? base.Up : -base.Up;
+      tilts[geometry.LoopOf(cycle)] += a + b > 0.0 ? outwards * (a - b) / (a + b) : 0.0;
+    }
+  }
+  return tilts;
+}
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesDomes_h
+#define OrthoSlicesDomes_h
+
+#include "PatchMesh.h"
+#include "TraceCycles.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/**
+ * Lowers the domes over loops to where the surface ends, as far as that is known (our own
+ * addition): where the cell on the other side of the loop has one polygon, a quadratic height
+ * function is fitted to it, to the normals at its node points, and to the loop. Its height over the
+ * middle of the loop is that of the dome, unless `centralPoints` has a lower one.
+ */
+void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
+  const std::vector<double>& nodeNormals, std::vector<double>& centralPoints);
+
+/**
+ * Of each loop, the component along its axis of the outward unit normals of the surface, as if its
+ * dome was a part of a sphere; 0 for loops without a dome, or with two.
+ */
+std::vector<double> TiltOfDomes(const CycleGeometry& geometry,
+  const std::vector<double>& centralPoints, const std::vector<PatchMesh>& meshes);
+}
+
+#endif
