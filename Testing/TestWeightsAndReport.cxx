@@ -498,6 +498,7 @@ TEST(ReportTolerance, MarksThePolygonsOfTheNodePointsBeyondIt)
 {
   const PieceSets sets = ReadPieceSets({ "lbl_lumbar3", 1, 1, false }, 32);
   FilterRun run(sets);
+  run.Filter->SetPatchTypeToFan();
   std::size_t before = std::numeric_limits<std::size_t>::max();
   for (const double share : { 0.0, 1e-3, 5e-3, 1.0 })
   {

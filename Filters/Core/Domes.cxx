@@ -214,19 +214,22 @@ std::vector<double> TiltOfDomes(const CycleGeometry& geometry,
       isJoined[cycle] = 1;
     }
   }
+  std::vector<int> domes(tilts.size(), 0);
   DomeBase base;
   for (Index cycle = 0; cycle < geometry.Polygons.Count(); ++cycle)
   {
-    if (geometry.IsLoop(cycle) && isJoined[cycle] == 0)
+    if (!geometry.IsLoop(cycle) || isJoined[cycle] != 0)
     {
-      base.Set(geometry, cycle);
-      const double height =
-        base.HeightOf(centralPoints.data() + 3 * static_cast<std::size_t>(cycle));
-      const double a = base.Radius * base.Radius, b = height * height;
-      // Contours run anticlockwise around what is inside.
-      const double outwards = base.Area > 0.0 ? base.Up : -base.Up;
-      tilts[geometry.LoopOf(cycle)] += a + b > 0.0 ? outwards * (a - b) / (a + b) : 0.0;
+      continue;
     }
+    base.Set(geometry, cycle);
+    const double height = base.HeightOf(centralPoints.data() + 3 * static_cast<std::size_t>(cycle));
+    const double a = base.Radius * base.Radius, b = height * height;
+    // Contours run anticlockwise around what is inside.
+    const double outwards = base.Area > 0.0 ? base.Up : -base.Up;
+    const Index loop = geometry.LoopOf(cycle);
+    tilts[loop] = a + b > 0.0 && domes[loop] == 0 ? outwards * (a - b) / (a + b) : 0.0;
+    ++domes[loop];
   }
   return tilts;
 }

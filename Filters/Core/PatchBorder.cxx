@@ -38,13 +38,20 @@ void PatchBorder::Set(const CycleGeometry& geometry, const SurfaceNormals& norma
   const std::size_t n = this->Points.size();
   this->Places.resize(n);
   this->Normals.resize(n);
-  this->Weights.assign(n, 0.0);
   for (std::size_t i = 0; i < n; ++i)
   {
     const float* normal = normals.Normals.data() + 3 * static_cast<std::size_t>(this->Points[i]);
     this->Places[i] = geometry.Graph.PointAt(this->Points[i]);
     this->Normals[i] = { normal[0], normal[1], normal[2] };
   }
+  this->MeasureLengths();
+  this->Room = RoomInside(geometry.Grid, geometry.Polygons.Cell[cycle]);
+}
+
+void PatchBorder::MeasureLengths()
+{
+  const std::size_t n = this->Places.size();
+  this->Weights.assign(n, 0.0);
   CurveCenter center(this->Places[0]);
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -59,7 +66,21 @@ void PatchBorder::Set(const CycleGeometry& geometry, const SurfaceNormals& norma
   {
     weight *= scale;
   }
-  this->Room = RoomInside(geometry.Grid, geometry.Polygons.Cell[cycle]);
+}
+
+void PatchBorder::Turn(Index first)
+{
+  const auto turn = [first](auto& values)
+  { std::rotate(values.begin(), values.begin() + first, values.end()); };
+  turn(this->Points);
+  turn(this->Places);
+  turn(this->Normals);
+  for (Index& place : this->NodePlaces)
+  {
+    place = place >= first ? place - first : place - first + this->Count();
+  }
+  std::sort(this->NodePlaces.begin(), this->NodePlaces.end());
+  this->MeasureLengths(); // to the last bit, sums depend on their order
 }
 
 bool PatchBorder::AreOnOneFace(Index a, Index b) const
@@ -124,11 +145,13 @@ bool PatchView::Set(const PatchBorder& border)
     radius2 += border.Weights[i] * SquaredDistance(border.Center, border.Places[i]);
   }
   this->Unit = std::sqrt(radius2);
-  normal = orthoslices::Unit(normal);
-  if (!(this->Unit > 0.0) || Dot(normal, normal) == 0.0)
+  // Normals all around have no mean.
+  constexpr double leastMean = 1e-3;
+  if (!(this->Unit > 0.0) || !(Length(normal) > leastMean))
   {
     return false;
   }
+  normal = orthoslices::Unit(normal);
   this->Axes = CompleteFrame(normal);
   this->LocalPlaces.resize(n);
   this->LocalNormals.resize(n);

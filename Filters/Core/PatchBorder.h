@@ -23,10 +23,15 @@ struct PatchBorder
 
   void Set(const CycleGeometry& geometry, const SurfaceNormals& normals, Index cycle);
   Index Count() const { return static_cast<Index>(this->Points.size()); }
+  /// Makes another point the first one.
+  void Turn(Index first);
   /// Whether two points are on one face of the cell, or almost.
   bool AreOnOneFace(Index a, Index b) const;
   /// The nearest place for a point, as it will be in the result.
   Point3 MoveInside(const SpatialGrid& grid, const Point3& place) const;
+
+private:
+  void MeasureLengths();
 };
 
 /// A patch of one cycle with points inside. Corners of triangles are as in PatchMesh.

@@ -141,6 +141,27 @@ void SmoothPatchBuilder::PlacePoint(
 
 bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)
 {
+  // Which point is the first one depends on the order of the contours; the patch does not.
+  const auto least = std::min_element(border.Places.begin(), border.Places.end());
+  const Index first = static_cast<Index>(least - border.Places.begin());
+  this->Turned = border;
+  this->Turned.Turn(first);
+  if (!this->BuildInOrder(this->Turned, patch))
+  {
+    return false;
+  }
+  for (auto& triangle : patch.Triangles)
+  {
+    for (Index& corner : triangle)
+    {
+      corner = corner >= 0 ? (corner + first) % border.Count() : corner;
+    }
+  }
+  return true;
+}
+
+bool SmoothPatchBuilder::BuildInOrder(const PatchBorder& border, InnerPatch& patch)
+{
   patch.Clear();
   if (!this->View.Set(border) ||
     !this->Surface.Fit(this->View.Places(), this->View.Normals(), border.Weights))

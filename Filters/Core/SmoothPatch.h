@@ -38,6 +38,7 @@ public:
   double Deviation() const { return this->View.Radius() * this->Surface.Deviation(); }
 
 private:
+  bool BuildInOrder(const PatchBorder& border, InnerPatch& patch);
   double SizeOfTriangles() const;
   double HeightAtBorder(const Point2& p) const;
   bool FindHeight(const Point2& p, double& z, Point3& gradient) const;
@@ -46,6 +47,7 @@ private:
 
   const SpatialGrid& Grid;
   PatchResolution Resolution;
+  PatchBorder Turned;
   PatchView View;
   SmoothSurface Surface;
   DiscTriangulation Disc;

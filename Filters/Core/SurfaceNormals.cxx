@@ -108,7 +108,8 @@ int NormalEstimator::AxisOf(Index crossing) const
                                                       : SecondAxis(direction);
 }
 
-/// One crossing of each contour, by the axis of its slice.
+/// One crossing of each contour, by the axis of its slice: always the same one, however contours are
+/// numbered.
 std::array<std::vector<Index>, 3> NormalEstimator::FindRings() const
 {
   const Crossings& lattice = this->Geometry.Lattice;
@@ -120,11 +121,16 @@ std::array<std::vector<Index>, 3> NormalEstimator::FindRings() const
     {
       continue;
     }
-    starts[this->AxisOf(start)].push_back(start);
+    Index least = start;
     for (Index c = start; seen[c] == 0; c = lattice.Next[c])
     {
       seen[c] = 1;
+      const bool isLess = lattice.Edge[c] != lattice.Edge[least]
+        ? lattice.Edge[c] < lattice.Edge[least]
+        : lattice.Position[c] < lattice.Position[least];
+      least = isLess ? c : least;
     }
+    starts[this->AxisOf(start)].push_back(least);
   }
   return starts;
 }

@@ -166,13 +166,14 @@ TEST(InnerPatches, CyclesWithAMeshGetNone)
 }
 
 //----------------------------------------------------------------------------
-TEST(InnerPatches, LoopsGetNone)
+/// Two loops with domes on both sides: there, the surface is upright and has no mean normal.
+TEST(InnerPatches, DomesThatMeetUprightStayFans)
 {
   Options options;
   options.Several = SeveralCycles::Discs;
   const Reconstruction result =
-    Reconstruct(ParsePieces("z=0: 0,0 2,0 2,2 0,2; z=1: 0,0 2,0 2,2 0,2"), options, Execution());
-  ASSERT_GT(result.Polygons.Count(), 0);
+    Reconstruct(ParsePieces("z=0: 0,0 2,0 2,2 0,2; z=9: 0,0 2,0 2,2 0,2"), options, Execution());
+  EXPECT_EQ(result.Polygons.Count(), 4);
   EXPECT_EQ(result.Surface.Inner.Count(), 0);
 }
 

@@ -39,11 +39,11 @@ Solid Ellipsoid()
   return solid;
 }
 
-Stages Slices(const Solid& solid, int count, int subdivisions = 8)
+Stages Slices(
+  const Solid& solid, int count, int subdivisions = 8, InPlaneGrid grid = InPlaneGrid::Free)
 {
   Input input;
-  input.Sets =
-    SliceSolid(solid, EqualPlanes(solid, { count, count, count }), subdivisions, InPlaneGrid::Free);
+  input.Sets = SliceSolid(solid, EqualPlanes(solid, { count, count, count }), subdivisions, grid);
   return Stages(input);
 }
 
@@ -64,36 +64,6 @@ Errors ErrorsOf(const Stages& stages, const Solid& solid)
     errors.Greatest = std::max(errors.Greatest, angle);
   }
   return errors;
-}
-
-/// The cube of Stages.h, each side of its contours with many vertices.
-std::string FineCube()
-{
-  std::string text;
-  const auto add = [&](double u, double v)
-  { text += " " + std::to_string(u) + "," + std::to_string(v); };
-  for (const char* plane : { "x=1:", "x=2:", "y=1:", "y=2:", "z=1:", "z=2:" })
-  {
-    text += plane;
-    for (int i = 0; i < 20; ++i)
-    {
-      add(0.5 + 0.1 * i, 0.5);
-    }
-    for (int i = 0; i < 20; ++i)
-    {
-      add(2.5, 0.5 + 0.1 * i);
-    }
-    for (int i = 0; i < 20; ++i)
-    {
-      add(2.5 - 0.1 * i, 2.5);
-    }
-    for (int i = 0; i < 20; ++i)
-    {
-      add(0.5, 2.5 - 0.1 * i);
-    }
-    text += "\n";
-  }
-  return text;
 }
 
 /// Coordinates on the sides of the cube: one on its faces, two on its edges.
@@ -133,12 +103,14 @@ TEST(SurfaceNormals, PointAlongTheGradient)
 }
 
 //----------------------------------------------------------------------------
-TEST(SurfaceNormals, GetBetterWithMorePlanes)
+TEST(SurfaceNormals, ConvergeWithTheThirdPowerOfTheSpacing)
 {
-  const Solid torus = TiltedTorus(), ellipsoid = Ellipsoid();
-  EXPECT_GT(ErrorsOf(Slices(torus, 12), torus).Mean, 2.5 * ErrorsOf(Slices(torus, 24), torus).Mean);
-  EXPECT_GT(ErrorsOf(Slices(ellipsoid, 12), ellipsoid).Mean,
-    1.6 * ErrorsOf(Slices(ellipsoid, 24), ellipsoid).Mean);
+  for (const Solid& solid : { TiltedTorus(), Ellipsoid() })
+  {
+    const auto error = [&](int count)
+    { return ErrorsOf(Slices(solid, count, 8, InPlaneGrid::Aligned), solid).Mean; };
+    EXPECT_GT(error(12), 6.0 * error(24));
+  }
 }
 
 //----------------------------------------------------------------------------
@@ -161,7 +133,7 @@ TEST(SurfaceNormals, OfNodePointsAreOrthogonalToBothContours)
 //----------------------------------------------------------------------------
 TEST(SurfaceNormals, OfACubeAreThoseOfItsFaces)
 {
-  const Stages stages{ FineCube() };
+  const Stages stages{ Cube(20) };
   const SurfaceNormals normals = NormalsOf(stages);
   ASSERT_EQ(normals.Corners.size(), static_cast<std::size_t>(stages.Graph.Count()));
   for (Index i = 0; i < stages.Graph.Count(); ++i)
@@ -181,7 +153,7 @@ TEST(SurfaceNormals, OfACubeAreThoseOfItsFaces)
 //----------------------------------------------------------------------------
 TEST(SurfaceNormals, WithoutCornersThereIsNoListOfThem)
 {
-  EXPECT_TRUE(NormalsOf(Stages{ FineCube() }, 1.7).Corners.empty());
+  EXPECT_TRUE(NormalsOf(Stages{ Cube(20) }, 1.7).Corners.empty());
   EXPECT_TRUE(NormalsOf(Slices(Ellipsoid(), 8)).Corners.empty());
   const Stages cube{ Cube() };
   const SurfaceNormals normals = NormalsOf(cube);
