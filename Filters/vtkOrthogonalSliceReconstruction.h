@@ -358,8 +358,9 @@ public:
 
   ///@{
   /**
-   * Central point of a spatial polygon, for fans and Coons patches: from a least-squares quadratic through the arcs and the
-   * surface normals at the node points (default), or the centroid of the arcs.
+   * Central point of a spatial polygon, for fans and Coons patches: from a least-squares quadratic
+   * through the arcs and the surface normals at the node points (default), or the centroid of the
+   * arcs.
    */
   vtkSetClampMacro(CentralPoint, int, LEAST_SQUARES, CENTROID);
   vtkGetMacro(CentralPoint, int);
