@@ -12,6 +12,7 @@ void ContourCurve::Set(std::vector<Point2>&& points)
 {
   this->Points = std::move(points);
   this->Corners.clear();
+  this->Exact = false;
   this->Lengths.assign(this->Points.size() + 1, 0.0);
   for (Index i = 0; i < this->Count(); ++i)
   {
@@ -44,22 +45,23 @@ Point2 ContourCurve::Reach(Index i, double reach, bool forward) const
 
 double ContourCurve::FindNoise(double window) const
 {
-  // Residuals are greater near corners: the lower quarter tells noise from these.
-  constexpr double toDeviation = 1.2;
-  // Beyond that, points say more of the curve's bends than of noise.
-  const double most = 1.7 * window;
   // A sample of the points will do.
   const Index step = std::max<Index>(1, this->Count() / 64);
   std::vector<double> residuals;
   for (Index i = 0; i < this->Count(); i += step)
   {
-    const bool isNear = this->Distance(i, this->Before(this->Before(i))) <= most &&
-      this->Distance(i, this->After(this->After(i))) <= most;
-    residuals.push_back(isNear ? this->FitAt(i, window).Residual : 0.0);
+    if (!this->IsCorner(i))
+    {
+      residuals.push_back(this->FitAt(i, window).Residual);
+    }
   }
-  const auto quarter = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 4);
-  std::nth_element(residuals.begin(), quarter, residuals.end());
-  return toDeviation * *quarter;
+  if (residuals.empty())
+  {
+    return 0.0;
+  }
+  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+  std::nth_element(residuals.begin(), middle, residuals.end());
+  return *middle;
 }
 
 void ContourCurve::FindCorners(double spacing, double noise, double angle)
@@ -139,9 +141,9 @@ struct ContourCurve::Moments
   }
 
   /// Coefficients of both coordinates, of as many terms as there are points for.
-  bool Solve(double (&u)[Terms], double (&v)[Terms]) const
+  bool Solve(int leastForCubic, double (&u)[Terms], double (&v)[Terms]) const
   {
-    const int terms = this->Count >= 5 ? 4 : this->Count >= 4 ? 3 : 2;
+    const int terms = this->Count >= leastForCubic ? 4 : this->Count >= 4 ? 3 : 2;
     // Points that hardly determine a curve give the straightest one.
     constexpr double straight = 1e-8;
     double matrix[Terms][Terms];
@@ -193,7 +195,7 @@ ContourCurve::Fit ContourCurve::FitAt(Index i, double window) const
   }
   double u[Moments::Terms], v[Moments::Terms];
   Fit fit{ origin, { 0.0, 0.0 }, 0.0 };
-  if (sums.Solve(u, v))
+  if (sums.Solve(this->Exact ? 5 : 6, u, v))
   {
     fit.Place = { origin[0] + scale * u[0], origin[1] + scale * v[0] };
     fit.Tangent = { u[1], v[1] };
@@ -222,9 +224,28 @@ void MeasuredCurve::Set(std::vector<Point2>&& points, double spacing, double cor
   constexpr double noiseWindow = 0.3;
   constexpr double leastWindow = 0.15;
   constexpr double mostWindow = 1.5;
+  // Cuts through meshes have ten times that, curves between exact points less.
+  constexpr double mostExactNoise = 1e-4;
+  constexpr double mostExactStep = 0.25;
   this->Curve.Set(std::move(points));
   this->Noise = this->Curve.FindNoise(noiseWindow * spacing);
-  this->Curve.FindCorners(spacing, this->Noise, cornerAngle);
+  this->Curve.FindCorners(spacing, 0.0, cornerAngle);
+  if (this->Curve.HasCorners())
+  {
+    // Of a polygon with few vertices the corners look like noise. They explain it, or noise them.
+    constexpr double explained = 0.1;
+    const double betweenCorners = this->Curve.FindNoise(noiseWindow * spacing);
+    if (betweenCorners <= explained * this->Noise)
+    {
+      this->Noise = betweenCorners;
+    }
+    else
+    {
+      this->Curve.FindCorners(spacing, this->Noise, cornerAngle);
+    }
+  }
+  const double step = this->Curve.LengthTo(this->Curve.Count()) / this->Curve.Count();
+  this->Curve.SetExact(this->Noise < mostExactNoise * spacing && step < mostExactStep * spacing);
   // The error of a slope is about noise / window^1.5 + window^3.
   const double window = 8.0 * std::pow(this->Noise / spacing, 0.4);
   this->Window = spacing * std::max(leastWindow, std::min(mostWindow, window));

@@ -23,8 +23,8 @@ public:
   double LengthTo(Index i) const { return this->Lengths[i]; }
 
   /**
-   * How far the points lie from a smooth curve: the lower quartile, scaled, of the residuals of
-   * curves fitted up to `window` around them. Points too far apart to tell have none.
+   * How far the points lie from a smooth curve: the median of the residuals of curves fitted up to
+   * `window` around them.
    */
   double FindNoise(double window) const;
 
@@ -37,6 +37,10 @@ public:
   void FindCorners(double spacing, double noise, double angle);
   bool IsCorner(Index i) const { return !this->Corners.empty() && this->Corners[i] != 0; }
   bool HasCorners() const { return !this->Corners.empty(); }
+
+  /// Whether the points are known to lie on a smooth curve. Then few of them do for a cubic.
+  void SetExact(bool exact) { this->Exact = exact; }
+  bool IsExact() const { return this->Exact; }
 
   struct Fit
   {
@@ -60,6 +64,7 @@ private:
   std::vector<Point2> Points;
   std::vector<double> Lengths;
   std::vector<std::uint8_t> Corners; ///< empty if there are none
+  bool Exact = false;
 };
 
 /// The curve through the points with its corners, and how it is best fitted.

@@ -328,7 +328,8 @@ void NormalEstimator::FitSlope(const ContourRing& ring, const std::vector<TiltSa
   { return samples[(before + shift) % n]; };
   const TiltSample &o = at(n - 1), &p = at(0), &q = at(1), &r = at(2);
   fit.Valid = false;
-  if (n < 3 || p.CornerAfter || std::min(std::abs(p.Tilt), std::abs(q.Tilt)) < LeastSteepTilt ||
+  if (!ring.Measured.Curve.IsExact() || n < 3 || p.CornerAfter ||
+    std::min(std::abs(p.Tilt), std::abs(q.Tilt)) < LeastSteepTilt ||
     (p.Tilt > 0.0) != (q.Tilt > 0.0))
   {
     return;

@@ -178,17 +178,13 @@ TEST(ContourCurve, ResidualIsTheNoise)
 }
 
 //----------------------------------------------------------------------------
-TEST(ContourCurve, NoiseIsThatOfMostPoints)
+TEST(ContourCurve, NoiseIsTheMedianResidual)
 {
   constexpr double most = 0.01;
   std::vector<Point2> points = WithNoise(Ellipse(1.0, 1.0, EqualAngles(800)), most, 3);
   points[100] = { 3.0, 3.0 }; // one bad point says nothing of the others
   EXPECT_NEAR(CurveOf(std::move(points)).FindNoise(0.4), most * std::sqrt(2.0 / 3.0), 0.25 * most);
   EXPECT_LT(CurveOf(Ellipse(1.0, 1.0, RandomAngles(300, 2))).FindNoise(0.2), 1e-4);
-  for (const int parts : { 1, 2, 3, 10, 40 })
-  {
-    EXPECT_LT(CurveOf(Square(parts)).FindNoise(0.1), 1e-6) << parts;
-  }
 }
 
 //----------------------------------------------------------------------------
@@ -197,6 +193,41 @@ MeasuredCurve Measure(std::vector<Point2> points, double spacing)
   MeasuredCurve measured;
   measured.Set(std::move(points), spacing, 1.05);
   return measured;
+}
+
+//----------------------------------------------------------------------------
+/// However few vertices there are: without corners, these would be noise.
+TEST(MeasuredCurve, FindsTheCornersOfASquare)
+{
+  for (const int parts : { 1, 2, 3, 10, 40 })
+  {
+    const MeasuredCurve measured = Measure(Square(parts), 0.3);
+    EXPECT_EQ(CornersOf(measured.Curve), (std::vector<Index>{ 0, parts, 2 * parts, 3 * parts }))
+      << parts;
+    EXPECT_LT(measured.Noise, 1e-6);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(MeasuredCurve, NoiseMakesNoCorners)
+{
+  for (const double noise : { 0.001, 0.01, 0.03 })
+  {
+    for (const int count : { 40, 400 })
+    {
+      const MeasuredCurve measured =
+        Measure(WithNoise(Ellipse(1.0, 0.8, EqualAngles(count)), noise, 8), 0.3);
+      EXPECT_LE(CornersOf(measured.Curve).size(), 2u) << noise << ", " << count;
+      EXPECT_FALSE(measured.Curve.IsExact());
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(MeasuredCurve, PointsOfASmoothCurveAreExact)
+{
+  EXPECT_TRUE(Measure(Ellipse(1.0, 0.8, EqualAngles(200)), 0.3).Curve.IsExact());
+  EXPECT_FALSE(Measure(Ellipse(1.0, 0.8, EqualAngles(12)), 0.3).Curve.IsExact()); // too few to tell
 }
 
 //----------------------------------------------------------------------------

@@ -49,7 +49,9 @@ TEST(Reconstruct, DirectionsDoNotMatterUnlessTrusted)
   const std::string reversed =
     "x=0: -1,-1 -1,1 1,1 1,-1; y=0: -1,-1 -1,1 1,1 1,-1; z=0: -1,-1 -1,1 1,1 1,-1";
   EXPECT_GT(CheckSurface(MeshOf(RunCore(reversed))).TotalVolume(), 0.0);
-  Options options;
+  Options fans;
+  fans.Patching.Method = PatchMethod::Fan; // whose triangles are the same from both sides
+  Options options = fans;
   options.Orient = Orientation::AsDrawn;
   // As drawn, they bound the outside: the same surface inside out.
   const Reconstruction result = RunCore(reversed, options);
@@ -58,7 +60,7 @@ TEST(Reconstruct, DirectionsDoNotMatterUnlessTrusted)
   EXPECT_EQ(result.Nodes.Count(), 6);
   EXPECT_TRUE(CheckSurface(MeshOf(result)).IsClosedManifold());
   EXPECT_EQ(CheckSurface(MeshOf(result)).TotalVolume(),
-    -CheckSurface(MeshOf(RunCore(reversed))).TotalVolume());
+    -CheckSurface(MeshOf(RunCore(reversed, fans))).TotalVolume());
 }
 
 //----------------------------------------------------------------------------
@@ -164,7 +166,9 @@ namespace
 /// Contours as drawn whose surface once crossed itself.
 void ExpectEmbedded(const std::string& text)
 {
-  Options options;
+  Options fans;
+  fans.Patching.Method = PatchMethod::Fan; // whose triangles are the same from both sides
+  Options options = fans;
   options.Orient = Orientation::AsDrawn;
   const TriangleMesh mesh = MeshOf(RunCore(text, options));
   EXPECT_FALSE(mesh.Triangles.empty());
