@@ -11,6 +11,7 @@
  */
 
 #include "Baseline.h"
+#include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
 #include "Support/SliceSolid.h"
 #include "Support/SmoothSolids.h"
@@ -27,6 +28,7 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -50,6 +52,7 @@ const char* const Usage = R"(CompareConvergence [options]
   --subdivisions N    parts of a slab in which contours get vertices (default 8)
   --csv FILE          write all figures, too
   --worst N           list the N points of each surface with the greatest errors
+  --few-planes        instead, a solid of genus two with 14 planes in all
 )";
 
 struct Settings
@@ -428,6 +431,57 @@ void WriteCsv(const std::vector<Row>& rows, const std::string& name)
   }
 }
 
+/// Mean distance of the triangles' middles, in per cent of the diagonal of the solid's box.
+double MeanDistance(const SmoothSolid& solid, vtkPolyData* surface)
+{
+  double sum = 0.0, total = 0.0;
+  ForTriangles(surface,
+    [&](vtkIdType, const std::array<vtkIdType, 3>& ids)
+    {
+      const Point3 a = PlaceOf(surface, ids[0]), b = PlaceOf(surface, ids[1]),
+                   c = PlaceOf(surface, ids[2]);
+      const double area = Length(Cross(b - a, c - a));
+      const Point3 middle = (1.0 / 3.0) * (a + b + c);
+      Point3 normal;
+      sum += area * Length(middle - solid.Project(middle, normal));
+      total += area;
+    });
+  return 100.0 * sum / (total * Length(solid.High - solid.Low));
+}
+
+void CompareFewPlanes()
+{
+  const SmoothSolid solid = SmoothEight();
+  std::printf("| planes | method | mean distance, %% of the diagonal | components | genus | ms |\n"
+              "|---|---|---|---|---|---|\n");
+  for (const std::array<int, 3>& count :
+    { std::array<int, 3>{ 7, 4, 3 }, std::array<int, 3>{ 6, 5, 3 }, std::array<int, 3>{ 8, 4, 2 } })
+  {
+    PlaneSets planes = EqualPlanes(solid, count);
+    const PieceSets pieces = SliceSolid(solid, planes, 24, InPlaneGrid::Free);
+    for (const int type :
+      { vtkOrthogonalSliceReconstruction::SMOOTH, vtkOrthogonalSliceReconstruction::FAN })
+    {
+      vtkNew<vtkOrthogonalSliceReconstruction> filter;
+      filter->SetPatchType(type);
+      filter->SetEdgeLength(0.1);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        filter->SetInputData(axis, MakePolyData(pieces[axis]));
+      }
+      const auto start = std::chrono::steady_clock::now();
+      filter->Update();
+      const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      const SurfaceCheck check = CheckSurface(MeshOf(filter->GetOutput()));
+      std::printf("| %d + %d + %d | %s | %.4f | %lld | %lld | %.0f |\n", count[0], count[1],
+        count[2], type == vtkOrthogonalSliceReconstruction::SMOOTH ? "smooth" : "fan",
+        MeanDistance(solid, filter->GetOutput()), static_cast<long long>(check.Components),
+        static_cast<long long>(check.TotalGenus()), 1000.0 * seconds);
+    }
+  }
+}
+
 bool IsWanted(const std::vector<std::string>& names, const std::string& name)
 {
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
@@ -511,8 +565,13 @@ Settings Parse(int argc, char* argv[])
 
 int main(int argc, char* argv[])
 {
-  const Settings settings = Parse(argc, argv);
   vtkObject::GlobalWarningDisplayOff();
+  if (argc == 2 && std::string(argv[1]) == "--few-planes")
+  {
+    CompareFewPlanes();
+    return EXIT_SUCCESS;
+  }
+  const Settings settings = Parse(argc, argv);
   std::vector<Row> rows;
   std::vector<std::string> solids;
   for (const SmoothSolid& solid : AllSmoothSolids())

@@ -4,6 +4,7 @@
  * Time and memory of vtkOrthogonalSliceReconstruction against the number of contour points.
  *
  *   BenchReconstruct [--points N ...] [--planes N] [--threads N] [--repeat N] [--float]
+ *     [--patches smooth|fan|coons|all] [--edge-length L]
  *
  * Without --planes their number grows with the square root of the number of points, so that there
  * is one crossing with the lattice for every four points or so, as in ordinary data. The object is
@@ -43,6 +44,8 @@ struct Arguments
   int Threads = 1;
   int Repeat = 3;
   bool Float = false;
+  std::vector<std::string> Patches{ "smooth" };
+  double EdgeLength = 0.25;
 };
 
 struct Circle
@@ -131,13 +134,17 @@ double PeakMegabytes()
   return kilobytes / 1024.0;
 }
 
-void RunSize(const Arguments& arguments, double total)
+void RunSize(const Arguments& arguments, double total, const std::string& patches)
 {
   const double before = PeakMegabytes();
   // Polygons with few vertices lie inside their circles, which is a small contradiction: no warning
   // here.
   vtkObject::GlobalWarningDisplayOff();
   vtkNew<vtkOrthogonalSliceReconstruction> filter;
+  filter->SetPatchType(patches == "fan" ? vtkOrthogonalSliceReconstruction::FAN
+      : patches == "coons"              ? vtkOrthogonalSliceReconstruction::COONS
+                                        : vtkOrthogonalSliceReconstruction::SMOOTH);
+  filter->SetEdgeLength(arguments.EdgeLength);
   double points = 0.0;
   double input = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -158,9 +165,9 @@ void RunSize(const Arguments& arguments, double total)
   }
   const double peak = PeakMegabytes() - before;
   vtkPolyData* surface = filter->GetOutput();
-  std::printf("%10.0f %7d %12lld %10.4f %12.3f %10.1f %10.1f %8.2f %8lld\n", points,
-    CountPlanes(arguments, total), static_cast<long long>(surface->GetNumberOfCells()), seconds,
-    points / seconds * 1e-6, input, peak, peak / input,
+  std::printf("%-8s %10.0f %7d %12lld %10.4f %12.3f %10.1f %10.1f %8.2f %8lld\n", patches.c_str(),
+    points, CountPlanes(arguments, total), static_cast<long long>(surface->GetNumberOfCells()),
+    seconds, points / seconds * 1e-6, input, peak, peak / input,
     static_cast<long long>(surface->GetFieldData()->GetArray("NumberOfComponents")->GetTuple1(0)));
   std::fflush(stdout);
 }
@@ -195,10 +202,22 @@ Arguments Parse(int argc, char* argv[])
     {
       arguments.Float = true;
     }
+    else if (std::strcmp(argv[i], "--patches") == 0 && value)
+    {
+      const std::string name = argv[++i];
+      arguments.Patches = name == "all" ? std::vector<std::string>{ "smooth", "coons", "fan" }
+                                        : std::vector<std::string>{ name };
+    }
+    else if (std::strcmp(argv[i], "--edge-length") == 0 && value)
+    {
+      arguments.EdgeLength = std::atof(argv[++i]);
+    }
     else
     {
       std::fprintf(stderr,
-        "usage: %s [--points N ...] [--planes N] [--threads N] [--repeat N] [--float]\n", argv[0]);
+        "usage: %s [--points N ...] [--planes N] [--threads N] [--repeat N] [--float]\n"
+        "  [--patches smooth|fan|coons|all] [--edge-length L]\n",
+        argv[0]);
       std::exit(2);
     }
   }
@@ -210,23 +229,26 @@ int main(int argc, char* argv[])
 {
   const Arguments arguments = Parse(argc, argv);
   std::printf("%d threads, %s points\n", arguments.Threads, arguments.Float ? "float" : "double");
-  std::printf("%10s %7s %12s %10s %12s %10s %10s %8s %8s\n", "points", "planes", "triangles",
-    "seconds", "Mpoints/s", "input MB", "peak MB", "peak/in", "pieces");
+  std::printf("%-8s %10s %7s %12s %10s %12s %10s %10s %8s %8s\n", "patches", "points", "planes",
+    "triangles", "seconds", "Mpoints/s", "input MB", "peak MB", "peak/in", "pieces");
   std::fflush(stdout);
   int status = 0;
   for (const double total : arguments.Points)
   {
-    const pid_t child = fork();
-    if (child == 0)
+    for (const std::string& patches : arguments.Patches)
     {
-      vtkSMPTools::Initialize(arguments.Threads);
-      RunSize(arguments, total);
-      _exit(0);
-    }
-    int result = 1;
-    if (child < 0 || waitpid(child, &result, 0) != child || result != 0)
-    {
-      status = 1;
+      const pid_t child = fork();
+      if (child == 0)
+      {
+        vtkSMPTools::Initialize(arguments.Threads);
+        RunSize(arguments, total, patches);
+        _exit(0);
+      }
+      int result = 1;
+      if (child < 0 || waitpid(child, &result, 0) != child || result != 0)
+      {
+        status = 1;
+      }
     }
   }
   return status;

@@ -266,6 +266,24 @@ SmoothSolid SmoothKnot()
   return solid;
 }
 
+SmoothSolid SmoothEight()
+{
+  SmoothSolid solid = MakeSolid("eight", 1.0, 2);
+  solid.Low = { -0.085, -0.673, -0.202 };
+  solid.High = { 2.087, 0.674, 0.201 };
+  SetFunction(
+    [](const Point3& p, Point3& gradient)
+    {
+      const double x = p[0], y = p[1], z = p[2];
+      const double curve = x * (x - 1.0) * (x - 1.0) * (x - 2.0) + y * y;
+      const double slope = 2.0 * (x - 1.0) * (2.0 * x * x - 4.0 * x + 1.0);
+      gradient = { 2.0 * curve * slope, 4.0 * curve * y, 2.0 * z };
+      return curve * curve + z * z - 0.04;
+    },
+    solid);
+  return solid;
+}
+
 std::vector<SmoothSolid> AllSmoothSolids()
 {
   return { SmoothTorus(), SmoothEllipsoid(), SmoothGyroid(), SmoothMetaballs(), SmoothKnot() };

@@ -35,7 +35,11 @@ SmoothSolid SmoothGyroid();    ///< one side of a gyroid within a ball, the edge
 SmoothSolid SmoothMetaballs(); ///< where a sum of Gaussians is large
 SmoothSolid SmoothKnot();      ///< tube around a trefoil, a curve of trigonometric functions
 
+/// These five.
 std::vector<SmoothSolid> AllSmoothSolids();
+
+/// Of genus two: the surface (x (x - 1)^2 (x - 2) + y^2)^2 + z^2 = 0.04.
+SmoothSolid SmoothEight();
 
 } // namespace support
 } // namespace orthoslices
