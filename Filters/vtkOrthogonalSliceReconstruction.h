@@ -38,10 +38,13 @@
  *
  * @section Outputs Outputs
  * Port 0, the surface (vtkPolyData): triangles, oriented outwards. Where the slices agree, every
- * vertex of every contour that meets another family is a vertex of the surface. Points: first the
- * node points, then the vertices of the arcs and of the isolated contours, then the central
- * points, last the other points of patches that are joined or had to be separated.
- *  - point data "Normals" (float, 3 components; active normals), if ComputeNormals is on;
+ * vertex of every contour that meets another family is a vertex of the surface (of the contours that
+ * Smoothing and ContourTolerance leave). Points: first the node points, then the vertices of the
+ * arcs and of the isolated contours, then one for each spatial polygon (of fans the central point,
+ * else one of those inside its patch), last the other points inside patches.
+ *  - point data "Normals" (float, 3 components; active normals), if ComputeNormals or
+ *    ComputeCurvatures is on: of smooth patches those of the smooth surface, of others the mean of
+ *    the triangles around;
  *  - cell data "ComponentId" (int): connected component, numbered from 0;
  *  - cell data "GridCell" (unsigned short, 3 components): the cell of M along x, y, z, where cell
  *    i lies below plane i and above plane i - 1;
@@ -54,11 +57,10 @@
  *    "TotalGenus" (of all components together), "NumberOfCellsWithSeveralCycles",
  *    "NumberOfNodePoints", "NumberOfReconciledEdges", "NumberOfReconciledVertices",
  *    "NumberOfRepairs" (vtkIdType, one value each); on the shape of the triangles "SmallestAngle"
- *    (degrees), "ShareOfTrianglesAbove20Degrees" (whose angles are all larger), "LargestAspectRatio"
- *    (longest side by the height over it) (double, one value each);
- *  - point data "Normals" (float, 3 components, see ComputeNormals), "MeanCurvature" and
- *    "GaussianCurvature" (float, see ComputeCurvatures; 1 / world units and its square, mean
- *    curvature positive where the surface is convex);
+ *    (degrees), "ShareOfTrianglesAbove20Degrees" (all of whose angles are larger),
+ *    "LargestAspectRatio" (longest side by the height over it) (double, one value each);
+ *  - point data "MeanCurvature" and "GaussianCurvature" (float, see ComputeCurvatures; 1 / world
+ *    units and its square, mean curvature positive where the surface is convex);
  *  - point data "Disagreement" (float): at a node point, the distance of the two contours along
  *    the grid edge in world units; 0 at other points;
  *  - cell data "Repaired" (unsigned char): sum of 1 (a node point of the polygon disagrees by
@@ -120,8 +122,8 @@
  * @section Errors Errors
  * A connected port without contours, no connected port, an open contour, a contour that leaves its
  * plane by more than the tolerance, and coordinates that are not finite are reported with port,
- * cell and coordinate: as errors with empty outputs (InvalidContours = REFUSE), or in one warning (LEAVE_OUT). So are
- * contours that cross themselves or each other within one slice (CrossingContours), which by
+ * cell and coordinate: as errors with empty outputs (InvalidContours = REFUSE), or in one warning
+ * (LEAVE_OUT). So are contours that cross themselves or each other within one slice (CrossingContours), which by
  * default are repaired. Where the three families contradict each other, one warning says so and
  * the "Disagreement" array shows where.
  *
@@ -311,8 +313,9 @@ public:
 
   ///@{
   /**
-   * Length of the sides of triangles inside smooth and Coons patches, in plane spacings (the least
-   * mean spacing of the three axes). Default 0.25, range 0.02 to 10. Contours keep their vertices.
+   * Length of the sides of triangles inside smooth patches, in plane spacings (the least mean spacing
+   * of the three axes). Coons patches get 0.5 / EdgeLength parts on each side. Default 0.25, range
+   * 0.02 to 10. Contours keep their vertices: beside them, sides are about as long as theirs.
    */
   vtkSetClampMacro(EdgeLength, double, 0.02, 10.0);
   vtkGetMacro(EdgeLength, double);
@@ -320,9 +323,9 @@ public:
 
   ///@{
   /**
-   * Greatest distance of triangles inside smooth patches from the smooth surface, in plane spacings:
-   * triangles are smaller where the surface is curved, and no larger than EdgeLength. Default 0: all
-   * are as large as EdgeLength. Range 0 to 1.
+   * Distance of triangles from the smooth surface that is aimed at, in plane spacings: where the
+   * normals of the border of a patch say that it is more curved, its triangles are smaller; they are
+   * no larger than EdgeLength. Default 0: all are as large as EdgeLength. Range 0 to 1.
    */
   vtkSetClampMacro(ChordTolerance, double, 0.0, 1.0);
   vtkGetMacro(ChordTolerance, double);
@@ -331,8 +334,8 @@ public:
   ///@{
   /**
    * Angle in degrees by which a contour turns at a corner. Smooth patches keep corners as creases
-   * of the surface, where that fits the contours better than a smooth surface. Default 60, range 0
-   * to 180 (no corners).
+   * of the surface, where that fits the contours better than a smooth surface, and Smoothing keeps
+   * them. Corners that noise may have made are none. Default 60, range 0 to 180 (no corners).
    */
   vtkSetClampMacro(CornerAngle, double, 0.0, 180.0);
   vtkGetMacro(CornerAngle, double);
@@ -350,7 +353,9 @@ public:
   ///@{
   /**
    * Contour vertices within this distance of the line through the others are left out, in plane
-   * spacings: for contours with far more vertices than needed. Default 0: all are kept. Range 0 to 1.
+   * spacings: for contours with far more vertices than needed. Normals come from what is left, so
+   * that a hundredth is a large value. Contours that meet no other family keep theirs. Default 0: all
+   * are kept. Range 0 to 1.
    */
   vtkSetClampMacro(ContourTolerance, double, 0.0, 1.0);
   vtkGetMacro(ContourTolerance, double);

@@ -238,9 +238,6 @@ Point3 PolygonCenter::LeastSquares()
 }
 }
 
-namespace
-{
-/// The direction to the right of a contour on a slice across `axis`, where outside lies.
 Point3 RightOf(const Point3& along, int axis)
 {
   Point3 up{ 0.0, 0.0, 0.0 };
@@ -248,7 +245,6 @@ Point3 RightOf(const Point3& along, int axis)
   return Cross(along, up);
 }
 
-/// Normal from two tangents; zero where the contours do not agree on which side is outside.
 Point3 OutwardNormal(const Point3& first, int firstAxis, const Point3& second, int secondAxis)
 {
   const Point3 normal = Cross(first, second);
@@ -258,7 +254,6 @@ Point3 OutwardNormal(const Point3& first, int firstAxis, const Point3& second, i
     return { 0.0, 0.0, 0.0 };
   }
   return outwards > 0.0 ? normal : -1.0 * normal;
-}
 }
 
 std::vector<double> ComputeNodeNormals(const Contours& contours, const SpatialGrid& grid,

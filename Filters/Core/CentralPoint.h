@@ -21,6 +21,13 @@ enum class CentralPointMethod
  */
 constexpr double CentralPointMargin = 1e-3;
 
+/// The direction to the right of a contour on a slice across `axis`, where outside lies.
+Point3 RightOf(const Point3& along, int axis);
+
+/// Normal from the tangents of two contours on slices across two axes; zero where these do not agree
+/// on which side is outside.
+Point3 OutwardNormal(const Point3& first, int firstAxis, const Point3& second, int secondAxis);
+
 /**
  * Surface normals at the node points, x, y, z of each, pointing outwards. Two contours cross
  * there, so the normal is the cross product of their tangents: known, not estimated (our own

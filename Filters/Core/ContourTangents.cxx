@@ -172,8 +172,8 @@ ContourCurve::Fit ContourCurve::FitAt(Index i, double window) const
   constexpr int fewest = 2;
   const Point2& origin = this->Points[i];
   const double scale = std::max(std::min(window, 0.3 * this->Lengths.back()), 1e-300);
-  // Of a triangle no point is taken on both sides.
-  const Index most = std::min(this->Count() / 3 + 1, this->Count() / 2);
+  // No point is taken on both sides.
+  const Index most = std::min(this->Count() / 3 + 1, std::max<Index>(1, (this->Count() - 1) / 2));
   Moments sums;
   sums.Add(0.0, 0.0, 0.0);
   for (const bool forward : { true, false })

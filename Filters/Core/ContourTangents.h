@@ -48,8 +48,9 @@ public:
     Point2 Tangent;  ///< of unit length, in the curve's direction; zero if there is none
     double Residual; ///< root mean square distance of the points from the fit
   };
-  /// The curve around a point, up to `window` of length before and after it or to the next corners.
-  /// At least two points on each side are taken, and fewer terms if there are few.
+  /// The curve around a point, up to `window` of length before and after it (0.3 of the whole length
+  /// at most) or to the next corners. Two points on each side are taken at least, if there are five,
+  /// and fewer terms if there are few.
   Fit FitAt(Index i, double window) const;
 
 private:

@@ -20,10 +20,14 @@ double BuildCreasePatch(const SpatialGrid& grid, const PatchBorder& border,
 {
   // Where the planes leave a direction open, the point stays beside the middle of the border.
   constexpr double stay = 1e-3;
+  // In mean radii of the border; planes that are nearly parallel meet anywhere.
+  constexpr double farthest = 1.5;
   double matrix[3][3] = { { stay, 0.0, 0.0 }, { 0.0, stay, 0.0 }, { 0.0, 0.0, stay } };
   double right[3] = {};
+  double radius2 = 0.0;
   for (std::size_t i = 0; i < border.Points.size(); ++i)
   {
+    radius2 += border.Weights[i] * SquaredDistance(border.Center, border.Places[i]);
     if (corners[border.Points[i]] != 0)
     {
       continue;
@@ -40,13 +44,18 @@ double BuildCreasePatch(const SpatialGrid& grid, const PatchBorder& border,
       right[a] += weight * n[a] * height;
     }
   }
-  if (Factorize(matrix))
-  {
-    Substitute(matrix, right);
-  }
   patch.Clear();
-  patch.Points.push_back(
-    border.MoveInside(grid, border.Center + Point3{ right[0], right[1], right[2] }));
+  if (!Factorize(matrix))
+  {
+    return HUGE_VAL;
+  }
+  Substitute(matrix, right);
+  const Point3 offset{ right[0], right[1], right[2] };
+  if (Dot(offset, offset) > farthest * farthest * radius2)
+  {
+    return HUGE_VAL;
+  }
+  patch.Points.push_back(border.MoveInside(grid, border.Center + offset));
   patch.Normals.push_back({ 0.0, 0.0, 0.0 });
   for (Index i = 0; i < border.Count(); ++i)
   {

@@ -14,7 +14,7 @@ bool IsSimple(const std::vector<Point2>& polygon);
  * Triangulation of a disc in the plane, whose border is a given polygon and stays as it is. Points
  * are added inside: J. Ruppert, "A Delaunay Refinement Algorithm for Quality 2-Dimensional Mesh
  * Generation" (1995), with the off-centers of A. Ungor (2004). All triangles run counter-clockwise,
- * decided exactly.
+ * decided exactly, but for middles of sides (SplitSides), which are rounded.
  */
 class DiscTriangulation
 {

@@ -14,7 +14,8 @@ namespace orthoslices
  * `parts` are patches and, without triangles, single cycles; `joins` are pairs of cycles of
  * different parts, the most important one first, a tree on the parts. From a patch a triangle is
  * taken out that is near the other one and faces it, another one at each `attempt` from 0; a single
- * cycle is an end of the tube itself. At least one of two parts that are joined has triangles, when its turn comes.
+ * cycle is an end of the tube itself. At least one of two parts that are joined has
+ * triangles, when its turn comes.
  *
  * The result may cross itself or others; see FindContacts. It is empty if no triangle faces the
  * other part.

@@ -80,7 +80,10 @@ private:
     const double* p = this->CentralPoints.data() + 3 * static_cast<std::size_t>(cycle);
     return { p[0], p[1], p[2] };
   }
+  struct Workshop;
   struct CellTriangles;
+  bool Build(Index cycle, Workshop& shop) const;
+  Index AddTo(CellTriangles& all, Index cycle, const InnerPatches& patches) const;
 
   const CycleGeometry& Geometry;
   const SurfaceNormals& Normals;
@@ -92,12 +95,39 @@ private:
   std::vector<Index> MeshOf; ///< of each cycle, or -1
 };
 
+/// What filling a polygon takes, reused from one to the next.
+struct PatchFiller::Workshop
+{
+  SmoothPatchBuilder Smooth;
+  PatchBorder Border;
+  InnerPatch Patch, Crease;
+};
+
+bool PatchFiller::Build(Index cycle, Workshop& shop) const
+{
+  const SpatialGrid& grid = this->Geometry.Grid;
+  if (this->Method == PatchMethod::Coons)
+  {
+    return BuildCoonsPatch(grid, shop.Border, this->CentralPoint(cycle), this->Parts, shop.Patch);
+  }
+  const bool smooth = shop.Smooth.Build(shop.Border, shop.Patch);
+  if (!HasCorner(shop.Border, this->Normals.Corners))
+  {
+    return smooth;
+  }
+  const double deviation = BuildCreasePatch(grid, shop.Border, this->Normals.Corners, shop.Crease);
+  if (std::isfinite(deviation) && (!smooth || deviation < shop.Smooth.Deviation()))
+  {
+    std::swap(shop.Patch, shop.Crease);
+    return true;
+  }
+  return smooth;
+}
+
 InnerPatches PatchFiller::Fill(std::size_t begin, std::size_t end) const
 {
   InnerPatches result;
-  SmoothPatchBuilder smooth(this->Geometry.Grid, this->Resolution);
-  PatchBorder border;
-  InnerPatch patch, crease;
+  Workshop shop{ { this->Geometry.Grid, this->Resolution }, {}, {}, {} };
   for (std::size_t i = begin; i < end; ++i)
   {
     const Index cycle = static_cast<Index>(i);
@@ -106,31 +136,21 @@ InnerPatches PatchFiller::Fill(std::size_t begin, std::size_t end) const
     {
       continue;
     }
-    border.Set(this->Geometry, this->Normals, cycle);
-    bool built = true;
-    if (this->Method == PatchMethod::Coons)
+    shop.Border.Set(this->Geometry, this->Normals, cycle);
+    // Which point is the first one depends on the order of the contours; the patch does not.
+    const Index first = shop.Border.Turn(), size = shop.Border.Count();
+    if (!this->Build(cycle, shop))
     {
-      built =
-        BuildCoonsPatch(this->Geometry.Grid, border, this->CentralPoint(cycle), this->Parts, patch);
+      continue;
     }
-    else
+    for (auto& triangle : shop.Patch.Triangles)
     {
-      built = smooth.Build(border, patch);
-      if (HasCorner(border, this->Normals.Corners))
+      for (Index& corner : triangle)
       {
-        const double deviation =
-          BuildCreasePatch(this->Geometry.Grid, border, this->Normals.Corners, crease);
-        if (!built || deviation < smooth.Deviation())
-        {
-          std::swap(patch, crease);
-          built = true;
-        }
+        corner = corner >= 0 ? (corner + first) % size : corner;
       }
     }
-    if (built)
-    {
-      result.Add(cycle, patch);
-    }
+    result.Add(cycle, shop.Patch);
   }
   return result;
 }
@@ -165,6 +185,50 @@ struct PatchFiller::CellTriangles
   }
 };
 
+/// The patch of a cycle, or the one of several cycles that this is the first of. Its number, or -1 if
+/// it is no inner one.
+Index PatchFiller::AddTo(CellTriangles& all, Index cycle, const InnerPatches& patches) const
+{
+  const NodeGraph& graph = this->Geometry.Graph;
+  const Index mesh = this->MeshOf[cycle];
+  const std::vector<Index> border =
+    this->Geometry.GetBorders(mesh >= 0 ? this->Meshes[mesh].Cycles : std::vector<Index>{ cycle });
+  const Index size = static_cast<Index>(border.size());
+  const auto number = std::lower_bound(patches.Cycle.begin(), patches.Cycle.end(), cycle);
+  const auto add =
+    [&](std::size_t points, std::size_t count, const auto& corners, const auto& pointAt)
+  {
+    all.Add(PatchShape::Fan, size, points, count, corners,
+      [&](Index corner)
+      { return corner >= 0 ? graph.PointAt(border[corner]) : pointAt(-1 - corner); });
+  };
+  if (number != patches.Cycle.end() && *number == cycle)
+  {
+    const std::size_t i = static_cast<std::size_t>(number - patches.Cycle.begin());
+    const Index* corners = patches.Corners.data() + 3 * patches.TriangleOffsets[i];
+    add(
+      static_cast<std::size_t>(patches.PointOffsets[i + 1] - patches.PointOffsets[i]),
+      static_cast<std::size_t>(patches.TriangleOffsets[i + 1] - patches.TriangleOffsets[i]),
+      [&](std::size_t t, int k) { return corners[3 * t + k]; },
+      [&](Index point) { return patches.PointAt(patches.PointOffsets[i] + point); });
+    return static_cast<Index>(i);
+  }
+  if (mesh >= 0)
+  {
+    const PatchMesh& m = this->Meshes[mesh];
+    add(
+      m.Points.size(), m.Triangles.size(), [&](std::size_t t, int k) { return m.Triangles[t][k]; },
+      [&](Index point) { return m.Points[point]; });
+    return -1;
+  }
+  add(
+    1, border.size(),
+    [&](std::size_t t, int k)
+    { return k == 0 ? -1 : static_cast<Index>((t + (k == 2 ? 1 : 0)) % border.size()); },
+    [&](Index) { return this->CentralPoint(cycle); });
+  return -1;
+}
+
 std::vector<Index> PatchFiller::FindTouching(
   const Index* first, const Index* last, const InnerPatches& patches) const
 {
@@ -173,52 +237,9 @@ std::vector<Index> PatchFiller::FindTouching(
   for (const Index* cycle = first; cycle != last; ++cycle)
   {
     const Index mesh = this->MeshOf[*cycle];
-    if (mesh >= 0 && this->Meshes[mesh].Cycles.front() != *cycle)
+    if (mesh < 0 || this->Meshes[mesh].Cycles.front() == *cycle)
     {
-      continue;
-    }
-    const std::vector<Index> border = this->Geometry.GetBorders(
-      mesh >= 0 ? this->Meshes[mesh].Cycles : std::vector<Index>{ *cycle });
-    const Index size = static_cast<Index>(border.size());
-    const auto number = std::lower_bound(patches.Cycle.begin(), patches.Cycle.end(), *cycle);
-    const bool isInner = number != patches.Cycle.end() && *number == *cycle;
-    inner.push_back(isInner ? static_cast<Index>(number - patches.Cycle.begin()) : -1);
-    if (isInner)
-    {
-      const Index i = inner.back();
-      const Index* corners = patches.Corners.data() + 3 * patches.TriangleOffsets[i];
-      all.Add(
-        PatchShape::Fan, size,
-        static_cast<std::size_t>(patches.PointOffsets[i + 1] - patches.PointOffsets[i]),
-        static_cast<std::size_t>(patches.TriangleOffsets[i + 1] - patches.TriangleOffsets[i]),
-        [&](std::size_t t, int k) { return corners[3 * t + k]; },
-        [&](Index corner)
-        {
-          return corner >= 0 ? this->Geometry.Graph.PointAt(border[corner])
-                             : patches.PointAt(patches.PointOffsets[i] - 1 - corner);
-        });
-    }
-    else if (mesh >= 0)
-    {
-      const PatchMesh& m = this->Meshes[mesh];
-      all.Add(
-        PatchShape::Fan, size, m.Points.size(), m.Triangles.size(),
-        [&](std::size_t t, int k) { return m.Triangles[t][k]; },
-        [&](Index corner) {
-          return corner >= 0 ? this->Geometry.Graph.PointAt(border[corner]) : m.Points[-1 - corner];
-        });
-    }
-    else
-    {
-      all.Add(
-        PatchShape::Fan, size, 1, border.size(),
-        [&](std::size_t t, int k)
-        { return k == 0 ? -1 : static_cast<Index>((t + (k == 2 ? 1 : 0)) % border.size()); },
-        [&](Index corner)
-        {
-          return corner >= 0 ? this->Geometry.Graph.PointAt(border[corner])
-                             : this->CentralPoint(*cycle);
-        });
+      inner.push_back(this->AddTo(all, *cycle, patches));
     }
   }
   std::vector<Index> touching;
@@ -235,7 +256,7 @@ std::vector<Index> PatchFiller::FindTouching(
   return touching;
 }
 
-/// Takes out patches until none touches another of its cell. What takes their place, fans, does not.
+/// Takes out patches until none touches another of its cell. The fans that take their place do not.
 InnerPatches TakeOutTouching(const CellGroups& cells, const PatchFiller& filler,
   InnerPatches&& patches, const Execution& execution)
 {

@@ -18,9 +18,9 @@ enum class PatchMethod
 struct PatchOptions
 {
   PatchMethod Method = PatchMethod::Smooth;
-  double CornerAngle = 1.05;   ///< of contours, in radians; see EstimateNormals
-  double EdgeLength = 0.25;    ///< of triangles inside patches, in mean plane spacings
-  double ChordTolerance = 0.0; ///< in mean plane spacings; see PatchResolution
+  double CornerAngle = 1.0471975511965976; ///< of contours: 60 degrees; see EstimateNormals
+  double EdgeLength = 0.25;                ///< of triangles inside patches, in mean plane spacings
+  double ChordTolerance = 0.0;             ///< in mean plane spacings; see PatchResolution
 };
 
 /**
@@ -48,9 +48,10 @@ struct InnerPatches
 
 /**
  * Fills the cycles that `meshes` has no patch for. Of borders with corners, those for which that
- * explains more get a crease, and the others a smooth patch. Cycles that cannot be filled as asked for, and
- * loops, get none: they stay fans around their central point. So do those whose patch would touch
- * another one of its cell, as their fans do not.
+ * explains more get a crease, and the others a smooth patch. Cycles that cannot be filled as asked
+ * for, and loops with Coons, get none: they stay fans around their central point. So do those whose
+ * patch would touch another one of its cell, as their fans do not. Coons patches have
+ * 0.5 / EdgeLength parts along each side.
  */
 InnerPatches BuildInnerPatches(const CycleGeometry& geometry, const CellGroups& cells,
   const SurfaceNormals& normals, const std::vector<double>& centralPoints,

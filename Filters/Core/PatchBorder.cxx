@@ -68,8 +68,10 @@ void PatchBorder::MeasureLengths()
   }
 }
 
-void PatchBorder::Turn(Index first)
+Index PatchBorder::Turn()
 {
+  const auto least = std::min_element(this->Places.begin(), this->Places.end());
+  const Index first = static_cast<Index>(least - this->Places.begin());
   const auto turn = [first](auto& values)
   { std::rotate(values.begin(), values.begin() + first, values.end()); };
   turn(this->Points);
@@ -81,6 +83,7 @@ void PatchBorder::Turn(Index first)
   }
   std::sort(this->NodePlaces.begin(), this->NodePlaces.end());
   this->MeasureLengths(); // to the last bit, sums depend on their order
+  return first;
 }
 
 bool PatchBorder::AreOnOneFace(Index a, Index b) const

@@ -23,8 +23,8 @@ struct PatchBorder
 
   void Set(const CycleGeometry& geometry, const SurfaceNormals& normals, Index cycle);
   Index Count() const { return static_cast<Index>(this->Points.size()); }
-  /// Makes another point the first one.
-  void Turn(Index first);
+  /// Makes the least place the first one, whatever the order of the contours. Returns its number.
+  Index Turn();
   /// Whether two points are on one face of the cell, or almost.
   bool AreOnOneFace(Index a, Index b) const;
   /// The nearest place for a point, as it will be in the result.

@@ -360,6 +360,10 @@ Reconstruction Reconstruct(
   MakePatches(options, normals, execution, result);
   result.Undecided = FindUndecidedPlaces(GeometryOf(result), result.Joins);
   Append(DescribeShells(result), result.Repairs);
+  if (!GoOn(execution, result, 0.7))
+  {
+    return result;
+  }
   FillPolygons(options, execution, result);
   LayOutTriangles(result.Graph, result.Polygons, result.Surface);
   GoOn(execution, result, 0.8);

@@ -113,6 +113,7 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  *   TraceCycles         cycles of G in each cell: spatial polygons               (section 4.3)
  *   StitchSlabs         one family only: contours of slices joined by overlay    (our own)
  *   LocateCentralPoints central point of each polygon                            (section 5)
+ *   LowerDomes          domes over loops end where the surface beside them says  (our own)
  *   FindJoins, ChooseJoins  cycles of a cell that bound one patch                (our own)
  *   SeparatePatches     discs, tubes and branchings that do not cross            (our own)
  *   FindUndecidedPlaces what the slices leave open, and where to slice next      (our own)
@@ -133,10 +134,10 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  *       contradict each other by more than the tolerance, vertices move with the node points
  *       beside them, within their planes. Isolated contours are kept, too, unless they touch
  *       others of their face, are so thin that rounding leaves no room beside them, or are left out
- *       by their size; where contours of neighbouring slices
- *       cross in projection (one family only), they get additional vertices. What
- *       ReconcileSlices cuts off takes no part in the surface; it is listed if it has three
- *       vertices or more.
+ *       by their size; where contours of neighbouring slices cross in projection (one family only),
+ *       they get additional vertices. What ReconcileSlices cuts off takes no part in the surface; it
+ *       is listed if it has three vertices or more. The contours are those that SmoothContours and
+ *       ThinArcs leave, if these are asked for.
  *   G5  Deterministic: the result does not depend on the number of threads, and slices that agree
  *       are not changed by ReconcileSlices.
  *   G6  Embedded: no two triangles meet but in their common edge or vertex.
@@ -156,6 +157,11 @@ Index CountDisagreements(const Reconstruction& result, double tolerance);
  * their cycle only. So patches of different cells meet in shared arcs only. A cell is convex: the
  * fan of a cycle around a point strictly inside cannot touch itself. Several patches of one cell
  * are kept apart by SeparatePatches, which undoes joins that it cannot make without crossings.
+ * A patch with points inside (BuildInnerPatches) is seen from one point, or along one direction, and
+ * taken only if its cycle is seen as a simple polygon and all of its triangles from the same side:
+ * then they do not overlap as seen from there, so they meet nowhere else. Its points are strictly
+ * inside the cell, and no side of a triangle but those of the cycle runs in a face. Where it touches
+ * another patch of its cell, the fan takes its place.
  * Where arcs lie so close together that rounding could spoil that, they are drawn anew, farther
  * apart. A slab that is a few dozen steps of the precision wide may leave no room for that:
  * DoubtfulCycles counts the patches concerned.

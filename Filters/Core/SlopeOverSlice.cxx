@@ -33,34 +33,34 @@ void SlopeOverSlice::Start(const Point2& center, double size)
   std::fill(this->Coefficients, this->Coefficients + Terms, 0.0);
 }
 
-void SlopeOverSlice::Add(const double (&values)[Terms], double right, double weight)
+void SlopeOverSlice::Add(const double (&values)[Terms], double right)
 {
   for (int i = 0; i < Terms; ++i)
   {
-    this->Coefficients[i] += weight * right * values[i];
+    this->Coefficients[i] += right * values[i];
     for (int j = 0; j <= i; ++j)
     {
-      this->Matrix[i][j] += weight * values[i] * values[j];
+      this->Matrix[i][j] += values[i] * values[j];
     }
   }
 }
 
-void SlopeOverSlice::AddZero(const Point2& place, double weight)
+void SlopeOverSlice::AddZero(const Point2& place)
 {
   const Point2 p = this->ToLocal(place);
   double values[Terms];
   EvaluateMonomials(p[0], p[1], 1.0, values);
-  this->Add(values, 0.0, weight);
+  this->Add(values, 0.0);
 }
 
-void SlopeOverSlice::AddSlope(const Point2& place, const Point2& slope, double weight)
+void SlopeOverSlice::AddSlope(const Point2& place, const Point2& slope)
 {
   const Point2 p = this->ToLocal(place);
   double values[Terms], dx[Terms], dy[Terms];
   EvaluateMonomials(p[0], p[1], 1.0, values);
   Differentiate(Degree, values, dx, dy);
-  this->Add(dx, slope[0], weight);
-  this->Add(dy, slope[1], weight);
+  this->Add(dx, slope[0]);
+  this->Add(dy, slope[1]);
 }
 
 bool SlopeOverSlice::Fit()

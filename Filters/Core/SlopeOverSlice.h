@@ -21,8 +21,8 @@ class SlopeOverSlice
 public:
   /// Forgets all. Places are taken in units of `size` from the center.
   void Start(const Point2& center, double size);
-  void AddZero(const Point2& place, double weight);
-  void AddSlope(const Point2& place, const Point2& slope, double weight);
+  void AddZero(const Point2& place);
+  void AddSlope(const Point2& place, const Point2& slope);
   bool Fit();
   Point2 SlopeAt(const Point2& place) const;
 
@@ -30,7 +30,7 @@ private:
   static constexpr int Degree = 3;
   static constexpr int Terms = MonomialCount(Degree);
 
-  void Add(const double (&values)[Terms], double right, double weight);
+  void Add(const double (&values)[Terms], double right);
   Point2 ToLocal(const Point2& p) const
   {
     return { (p[0] - this->Center[0]) / this->Size, (p[1] - this->Center[1]) / this->Size };

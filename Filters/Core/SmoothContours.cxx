@@ -12,8 +12,7 @@ namespace
 std::vector<Point2> Smooth(const SpatialGrid& grid, double length, double cornerAngle, int axis,
   std::vector<Point2>&& vertices)
 {
-  const double spacing =
-    std::min(grid.MeanSpacing(FirstAxis(axis)), grid.MeanSpacing(SecondAxis(axis)));
+  const double spacing = MeanSpacingInSlices(grid, axis);
   MeasuredCurve measured;
   measured.Set(std::move(vertices), spacing, cornerAngle);
   const ContourCurve& curve = measured.Curve;

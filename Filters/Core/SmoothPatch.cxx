@@ -14,6 +14,14 @@ constexpr double LeastSlope = 0.1;
 constexpr double LeastSide = 1e-3;
 /// How far zeros may lie from the middle of the border, or from its heights, in its mean radii.
 constexpr double MostDeviation = 1.5;
+
+/// Points of a border times points inside: all of a border's points count for each.
+constexpr std::size_t MostWork = 2000000;
+
+std::size_t MostPoints(std::size_t border)
+{
+  return border + std::min(9 * border + 2000, MostWork / border);
+}
 }
 
 /// In the plane.
@@ -124,7 +132,11 @@ void SmoothPatchBuilder::PlacePoint(
   if (!this->FindHeight(p, z, gradient))
   {
     const double guess = this->HeightAtBorder(p);
-    z = this->SearchHeight(p, guess, z, gradient) ? z : guess;
+    if (!this->SearchHeight(p, guess, z, gradient))
+    {
+      z = guess;
+      gradient = { 0.0, 0.0, 0.0 }; // the triangles say more of the normal
+    }
   }
   // Along the line, unless that is much farther, as where the line runs along a face of the cell.
   constexpr double farther = 3.0;
@@ -141,27 +153,6 @@ void SmoothPatchBuilder::PlacePoint(
 
 bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)
 {
-  // Which point is the first one depends on the order of the contours; the patch does not.
-  const auto least = std::min_element(border.Places.begin(), border.Places.end());
-  const Index first = static_cast<Index>(least - border.Places.begin());
-  this->Turned = border;
-  this->Turned.Turn(first);
-  if (!this->BuildInOrder(this->Turned, patch))
-  {
-    return false;
-  }
-  for (auto& triangle : patch.Triangles)
-  {
-    for (Index& corner : triangle)
-    {
-      corner = corner >= 0 ? (corner + first) % border.Count() : corner;
-    }
-  }
-  return true;
-}
-
-bool SmoothPatchBuilder::BuildInOrder(const PatchBorder& border, InnerPatch& patch)
-{
   patch.Clear();
   if (!this->View.Set(border) ||
     !this->Surface.Fit(this->View.Places(), this->View.Normals(), border.Weights))
@@ -174,7 +165,7 @@ bool SmoothPatchBuilder::BuildInOrder(const PatchBorder& border, InnerPatch& pat
     return false;
   }
   const Index n = border.Count();
-  const std::size_t mostPoints = 10 * polygon.size() + 2000;
+  const std::size_t mostPoints = MostPoints(polygon.size());
   this->Disc.MakeDelaunay();
   this->Disc.Refine(this->SizeOfTriangles(), mostPoints, LeastSide);
   // No side between two points of the border may lie on a face of the cell.

@@ -21,7 +21,8 @@ struct PatchResolution
 /**
  * Builds smooth patches (our own addition): the border seen in the plane (PatchView) is
  * triangulated with points inside (DiscTriangulation), and each of these is moved along its line
- * to where a smooth surface is (SmoothSurface), but not out of the cell.
+ * to where a smooth surface is (SmoothSurface), but not out of the cell. Borders of a thousand points
+ * and more get fewer points inside than the resolution asks for.
  */
 class SmoothPatchBuilder
 {
@@ -38,7 +39,6 @@ public:
   double Deviation() const { return this->View.Radius() * this->Surface.Deviation(); }
 
 private:
-  bool BuildInOrder(const PatchBorder& border, InnerPatch& patch);
   double SizeOfTriangles() const;
   double HeightAtBorder(const Point2& p) const;
   bool FindHeight(const Point2& p, double& z, Point3& gradient) const;
@@ -47,7 +47,6 @@ private:
 
   const SpatialGrid& Grid;
   PatchResolution Resolution;
-  PatchBorder Turned;
   PatchView View;
   SmoothSurface Surface;
   DiscTriangulation Disc;

@@ -52,6 +52,16 @@ double LeastMeanSpacing(const SpatialGrid& grid)
   return std::isfinite(least) ? least : grid.MeanSpacing(0);
 }
 
+double MeanSpacingInSlices(const SpatialGrid& grid, int axis)
+{
+  double least = HUGE_VAL;
+  for (const int other : { FirstAxis(axis), SecondAxis(axis) })
+  {
+    least = grid.Count(other) > 1 ? std::min(least, grid.MeanSpacing(other)) : least;
+  }
+  return std::isfinite(least) ? least : LeastMeanSpacing(grid);
+}
+
 GridEdgeCode::GridEdgeCode(const SpatialGrid& grid)
 {
   std::uint64_t base = 0;

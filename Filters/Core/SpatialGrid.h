@@ -114,6 +114,9 @@ struct SpatialGrid
 /// The least mean spacing of the planes of an axis, of those that have two or more of them.
 double LeastMeanSpacing(const SpatialGrid& grid);
 
+/// The same of the two axes that lie in the slices across `axis`; that of all if neither has two.
+double MeanSpacingInSlices(const SpatialGrid& grid, int axis);
+
 /// A face of M: the rectangle between its four grid lines, on a slice.
 struct Face
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceNormals.h"
 
+#include "CentralPoint.h"
 #include "ContourTangents.h"
 #include "SlopeOverSlice.h"
 #include "Vectors.h"
@@ -20,6 +21,9 @@ constexpr double LeastSine = 0.15;
 
 /// Tilt (radians) beyond which the slope over the slice is interpolated instead.
 constexpr double LeastSteepTilt = 0.5;
+
+/// Component across the slice of the unit normals from which the slope over the slice is known.
+constexpr double LeastUp = 0.45;
 
 /// The points of a contour in G, in order from a crossing.
 struct ContourRing
@@ -68,6 +72,11 @@ public:
 
   SurfaceNormals Run(const std::vector<double>& loopTilts, const Execution& execution);
 
+  std::vector<TiltSample> SampleTilt(const ContourRing& ring);
+  void FitSlope(const ContourRing& ring, const std::vector<TiltSample>& samples, std::size_t before,
+    SlopeFit& fit);
+  double FittedTilt(const ContourRing& ring, Index i, const SlopeFit& fit, double other);
+
 private:
   /// The tangent at a point, of unit length, as floats: as many as there are contour points.
   using Tangent = std::array<float, 2>;
@@ -82,12 +91,14 @@ private:
   }
   void FindTangents(ContourRing& ring);
   Point3 NodeNormal(Index node) const;
+  Point3 NodeNormalAt(Index node) const
+  {
+    const std::array<float, 3>& n = this->NodeNormals[node];
+    return { n[0], n[1], n[2] };
+  }
   Point3 ContourTangent(Index crossing, int axis) const;
-  std::vector<TiltSample> SampleTilt(const ContourRing& ring);
-  double FittedTilt(const ContourRing& ring, Index i, const SlopeFit& fit, double other);
+  static void SetSlopes(double total, std::vector<TiltSample>& samples);
   void AddPart(const ContourRing& ring, Index first, Index count, SlopeFit& fit);
-  void FitSlope(const ContourRing& ring, const std::vector<TiltSample>& samples, std::size_t before,
-    SlopeFit& fit);
   void WriteNormals(const ContourRing& ring);
   void WriteLoop(Index loop, double tilt);
 
@@ -141,7 +152,7 @@ void NormalEstimator::SetRing(Index start, ContourRing& ring) const
   const Crossings& lattice = this->Geometry.Lattice;
   ring.Axis = this->AxisOf(start);
   const int u = FirstAxis(ring.Axis), v = SecondAxis(ring.Axis);
-  ring.Spacing = std::min(this->Geometry.Grid.MeanSpacing(u), this->Geometry.Grid.MeanSpacing(v));
+  ring.Spacing = MeanSpacingInSlices(this->Geometry.Grid, ring.Axis);
   ring.Points.clear();
   ring.Crossing.clear();
   Index c = start;
@@ -172,6 +183,10 @@ void NormalEstimator::FindTangents(ContourRing& ring)
   {
     const Point2 tangent = ring.Measured.Curve.FitAt(i, ring.Measured.Window).Tangent;
     this->TangentAt(ring, i) = { static_cast<float>(tangent[0]), static_cast<float>(tangent[1]) };
+    if (ring.Measured.Curve.IsCorner(i))
+    {
+      this->Result.Corners[ring.Points[i]] = 1;
+    }
   }
 }
 
@@ -183,23 +198,18 @@ Point3 NormalEstimator::ContourTangent(Index crossing, int axis) const
   return tangent;
 }
 
-/// From the tangents of both contours; zero where they do not agree on which side is outside.
+/// From the tangents of both contours; zero where they contradict each other or one has a corner.
 Point3 NormalEstimator::NodeNormal(Index node) const
 {
+  if (this->Result.Corners[node] != 0)
+  {
+    return { 0.0, 0.0, 0.0 };
+  }
   const Index first = this->Geometry.Nodes.First[node];
   const Index second = this->Geometry.Nodes.Second[node];
   const int t = this->Code.Decode(this->Geometry.Lattice.Edge[first]).Direction;
-  const Point3 a = this->ContourTangent(first, FirstAxis(t));
-  const Point3 b = this->ContourTangent(second, SecondAxis(t));
-  const Point3 normal = Cross(a, b);
-  // Outside is on the right of a contour.
-  const auto outwards = [&](const Point3& along, int axis)
-  {
-    return normal[FirstAxis(axis)] * along[SecondAxis(axis)] -
-      normal[SecondAxis(axis)] * along[FirstAxis(axis)];
-  };
-  const double ofFirst = outwards(a, FirstAxis(t)), ofSecond = outwards(b, SecondAxis(t));
-  return ofFirst * ofSecond > 0.0 ? (ofFirst > 0.0 ? 1.0 : -1.0) * normal : Point3{ 0.0, 0.0, 0.0 };
+  return OutwardNormal(this->ContourTangent(first, FirstAxis(t)), FirstAxis(t),
+    this->ContourTangent(second, SecondAxis(t)), SecondAxis(t));
 }
 
 /// The tilt at the node points, with slopes.
@@ -216,16 +226,15 @@ std::vector<TiltSample> NormalEstimator::SampleTilt(const ContourRing& ring)
     {
       continue;
     }
-    const std::array<float, 3>& normal = this->NodeNormals[ring.Points[i]];
+    const Point3 normal = this->NodeNormalAt(ring.Points[i]);
     const Tangent& tangent = this->TangentAt(ring, i);
-    const double weight =
-      double(normal[0]) * normal[0] + double(normal[1]) * normal[1] + double(normal[2]) * normal[2];
-    if (weight < LeastSine * LeastSine || ring.Measured.Curve.IsCorner(i))
+    const double weight = Dot(normal, normal);
+    if (weight < LeastSine * LeastSine)
     {
       continue;
     }
-    const double right = double(normal[u]) * tangent[1] - double(normal[v]) * tangent[0];
-    const double tilt = std::atan2(double(normal[ring.Axis]), right);
+    const double right = normal[u] * tangent[1] - normal[v] * tangent[0];
+    const double tilt = std::atan2(normal[ring.Axis], right);
     const double length = ring.Measured.Curve.LengthTo(i);
     const bool isNear =
       !samples.empty() && !corner && length - samples.back().Length < MergedNodes * ring.Spacing;
@@ -253,8 +262,14 @@ std::vector<TiltSample> NormalEstimator::SampleTilt(const ContourRing& ring)
   {
     samples.back().CornerAfter = corner || firstCorner;
   }
+  SetSlopes(ring.Measured.Curve.LengthTo(ring.Measured.Curve.Count()), samples);
+  return samples;
+}
+
+/// Those of the parabolas through a sample and its neighbours (Catmull and Rom).
+void NormalEstimator::SetSlopes(double total, std::vector<TiltSample>& samples)
+{
   const std::size_t n = samples.size();
-  const double total = ring.Measured.Curve.LengthTo(ring.Measured.Curve.Count());
   for (std::size_t i = 0; i < n && n > 2; ++i)
   {
     const TiltSample &p = samples[i > 0 ? i - 1 : n - 1], &q = samples[i + 1 < n ? i + 1 : 0];
@@ -267,21 +282,26 @@ std::vector<TiltSample> NormalEstimator::SampleTilt(const ContourRing& ring)
         (before + after);
     }
   }
-  return samples;
 }
 
-/// The tilt between two samples, `share` of the way along.
+/// A surface tilted by more than a right angle would have its outside inside the contour.
+double Clamp(double tilt)
+{
+  constexpr double right = 1.5707963267948966;
+  return std::max(-right, std::min(right, tilt));
+}
+
+/// The tilt between two samples, `x` of the way of this length along.
 double InterpolateTilt(const TiltSample& p, const TiltSample& q, double length, double x)
 {
   if (p.CornerAfter)
   {
     return x < 0.5 ? p.Tilt : q.Tilt;
   }
-  constexpr double right = 1.5707963267948966;
   const double y = 1.0 - x;
   const double tilt = y * y * (1.0 + 2.0 * x) * p.Tilt + x * x * (1.0 + 2.0 * y) * q.Tilt +
     length * x * y * (y * p.Slope - x * q.Slope);
-  return std::max(-right, std::min(right, tilt));
+  return Clamp(tilt);
 }
 
 /// The tilt that the slope of the height gives a point of a ring; `other` where it gives none.
@@ -302,17 +322,16 @@ void NormalEstimator::AddPart(const ContourRing& ring, Index first, Index count,
   for (Index k = 0; k <= count; ++k)
   {
     const Index i = (first + k) % n;
-    fit.Slope.AddZero(ring.Measured.Curve[i], 1.0);
+    fit.Slope.AddZero(ring.Measured.Curve[i]);
     if (ring.Crossing[i] == Crossings::None)
     {
       continue;
     }
-    const std::array<float, 3>& normal = this->NodeNormals[ring.Points[i]];
-    const Point3 d{ normal[0], normal[1], normal[2] };
-    const double weight = Dot(d, d), up = fit.Sign * d[ring.Axis];
-    if (weight >= LeastSine * LeastSine && up * up >= 0.2 * weight && up > 0.0)
+    const Point3 normal = this->NodeNormalAt(ring.Points[i]);
+    const double weight = Dot(normal, normal), up = fit.Sign * normal[ring.Axis];
+    if (weight >= LeastSine * LeastSine && up > 0.0 && up * up >= LeastUp * LeastUp * weight)
     {
-      fit.Slope.AddSlope(ring.Measured.Curve[i], { d[u] / up, d[v] / up }, 1.0);
+      fit.Slope.AddSlope(ring.Measured.Curve[i], { normal[u] / up, normal[v] / up });
     }
   }
 }
@@ -322,6 +341,7 @@ void NormalEstimator::AddPart(const ContourRing& ring, Index first, Index count,
 void NormalEstimator::FitSlope(const ContourRing& ring, const std::vector<TiltSample>& samples,
   std::size_t before, SlopeFit& fit)
 {
+  // In radians: a height function that misses known normals by more is none.
   constexpr double mostMissed = 0.1;
   const std::size_t n = samples.size();
   const auto at = [&](std::size_t shift) -> const TiltSample&
@@ -352,41 +372,75 @@ void NormalEstimator::FitSlope(const ContourRing& ring, const std::vector<TiltSa
   fit.Valid = std::abs(fit.MissedBefore) < mostMissed && std::abs(fit.MissedAfter) < mostMissed;
 }
 
+/// Goes along a ring and tells the tilt at each point.
+class TiltWalk
+{
+public:
+  TiltWalk(NormalEstimator& estimator, const ContourRing& ring)
+    : Estimator(estimator)
+    , Ring(ring)
+    , Samples(estimator.SampleTilt(ring))
+    , Total(ring.Measured.Curve.LengthTo(ring.Measured.Curve.Count()))
+    , Fitted(this->Samples.size())
+  {
+  }
+
+  bool KnowsTilt() const { return !this->Samples.empty(); }
+  /// At the next point, i, which is after the last one. 0 if nothing is known.
+  double TiltAt(Index i);
+
+private:
+  NormalEstimator& Estimator;
+  const ContourRing& Ring;
+  std::vector<TiltSample> Samples;
+  double Total;
+  std::size_t Next = 0;
+  std::size_t Fitted; ///< the sample before the points that the fit is for
+  SlopeFit Fit;
+};
+
+double TiltWalk::TiltAt(Index i)
+{
+  const std::size_t n = this->Samples.size();
+  const double length = this->Ring.Measured.Curve.LengthTo(i);
+  while (this->Next < n && this->Samples[this->Next].Length <= length)
+  {
+    ++this->Next;
+  }
+  if (n == 0)
+  {
+    return 0.0;
+  }
+  const std::size_t next = this->Next, before = next > 0 ? next - 1 : n - 1;
+  const TiltSample &p = this->Samples[before], &q = this->Samples[next < n ? next : 0];
+  const double gone = length - p.Length + (next > 0 ? 0.0 : this->Total);
+  const double step = q.Length - p.Length + (next > 0 && next < n ? 0.0 : this->Total);
+  if (n == 1 || !(step > 0.0))
+  {
+    return p.Tilt;
+  }
+  if (before != this->Fitted)
+  {
+    this->Fitted = before;
+    this->Estimator.FitSlope(this->Ring, this->Samples, before, this->Fit);
+  }
+  const double tilt = InterpolateTilt(p, q, step, gone / step);
+  if (!this->Fit.Valid)
+  {
+    return tilt;
+  }
+  const double missed =
+    this->Fit.MissedBefore + gone / step * (this->Fit.MissedAfter - this->Fit.MissedBefore);
+  return Clamp(this->Estimator.FittedTilt(this->Ring, i, this->Fit, tilt - missed) + missed);
+}
+
 void NormalEstimator::WriteNormals(const ContourRing& ring)
 {
   const int u = FirstAxis(ring.Axis), v = SecondAxis(ring.Axis);
-  const std::vector<TiltSample> samples = this->SampleTilt(ring);
-  const std::size_t n = samples.size();
-  const double total = ring.Measured.Curve.LengthTo(ring.Measured.Curve.Count());
-  std::size_t next = 0;
-  std::size_t fitted = n; // the sample before the points that the fit is for
-  SlopeFit fit;
+  TiltWalk walk(*this, ring);
   for (Index i = 0; i < ring.Measured.Curve.Count(); ++i)
   {
-    const double length = ring.Measured.Curve.LengthTo(i);
-    while (next < n && samples[next].Length <= length)
-    {
-      ++next;
-    }
-    double tilt = 0.0;
-    if (n > 0)
-    {
-      const TiltSample &p = samples[next > 0 ? next - 1 : n - 1], &q = samples[next < n ? next : 0];
-      const double gone = length - p.Length + (next > 0 ? 0.0 : total);
-      const double step = q.Length - p.Length + (next > 0 && next < n ? 0.0 : total);
-      tilt = n > 1 && step > 0.0 ? InterpolateTilt(p, q, step, gone / step) : p.Tilt;
-      const std::size_t before = next > 0 ? next - 1 : n - 1;
-      if (before != fitted)
-      {
-        fitted = before;
-        this->FitSlope(ring, samples, before, fit);
-      }
-      if (fit.Valid && step > 0.0)
-      {
-        const double more = fit.MissedBefore + gone / step * (fit.MissedAfter - fit.MissedBefore);
-        tilt = this->FittedTilt(ring, i, fit, tilt - more) + more;
-      }
-    }
+    const double tilt = walk.TiltAt(i);
     const Tangent& tangent = this->TangentAt(ring, i);
     Point3 normal;
     normal[u] = std::cos(tilt) * tangent[1];
@@ -397,21 +451,17 @@ void NormalEstimator::WriteNormals(const ContourRing& ring)
     {
       std::copy(normal.begin(), normal.end(), out);
     }
-    else if (n > 0)
+    else
     {
-      // Of both contours of a node point, whose own normal says nothing.
-      const std::array<float, 3>& own = this->NodeNormals[ring.Points[i]];
-      const bool known =
-        double(own[0]) * own[0] + double(own[1]) * own[1] + double(own[2]) * own[2] >=
-        LeastSine * LeastSine;
+      // Of both contours of a node point, whose own normal says nothing. One of which nothing is
+      // known hardly counts.
+      const double share = walk.KnowsTilt() ? 1.0 : 1e-3;
+      const Point3 own = this->NodeNormalAt(ring.Points[i]);
+      const bool known = Dot(own, own) >= LeastSine * LeastSine;
       for (int k = 0; k < 3; ++k)
       {
-        out[k] = known ? own[k] : out[k] + static_cast<float>(normal[k]);
+        out[k] = static_cast<float>(known ? own[k] : out[k] + share * normal[k]);
       }
-    }
-    if (ring.Measured.Curve.IsCorner(i))
-    {
-      this->Result.Corners[ring.Points[i]] = 1;
     }
   }
 }
@@ -425,9 +475,8 @@ void NormalEstimator::WriteLoop(Index loop, double tilt)
   {
     const Point3 along =
       graph.PointAt(first + (i + 1) % n) - graph.PointAt(first + (i + n - 1) % n);
-    Point3 up{ 0.0, 0.0, 0.0 };
-    up[axis] = 1.0;
-    const Point3 normal = std::sqrt(1.0 - tilt * tilt) * Unit(Cross(along, up)) + tilt * up;
+    Point3 normal = std::sqrt(1.0 - tilt * tilt) * Unit(RightOf(along, axis));
+    normal[axis] = tilt;
     std::copy(normal.begin(), normal.end(),
       this->Result.Normals.begin() + 3 * static_cast<std::size_t>(first + i));
   }

@@ -5,7 +5,6 @@
 #include "Vectors.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace orthoslices
 {

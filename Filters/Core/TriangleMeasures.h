@@ -12,7 +12,7 @@ struct TriangleQuality
 {
   double SmallestAngle = 0.0;       ///< of all triangles, in degrees
   double ShareAbove20Degrees = 0.0; ///< of the triangles, those with no smaller angle
-  double LargestAspectRatio = 0.0;  ///< longest side by height over it; 1.15 for equal sides
+  double LargestAspectRatio = 0.0;  ///< longest side by height over it: 1.15 at best, infinite for no area
 };
 
 /// Triangles are three ids each of points x, y, z.

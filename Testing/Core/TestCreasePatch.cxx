@@ -96,8 +96,14 @@ TEST(CreasePatch, IsAFanWithItsPointInsideTheCell)
       {
         continue;
       }
+      const double deviation = BuildCreasePatch(stages.Grid, border, normals.Corners, patch);
+      EXPECT_GE(deviation, 0.0);
+      EXPECT_EQ(std::isfinite(deviation), patch.Points.size() == 1);
+      if (!std::isfinite(deviation))
+      {
+        continue; // its planes meet too far away
+      }
       ++cycles;
-      EXPECT_GE(BuildCreasePatch(stages.Grid, border, normals.Corners, patch), 0.0);
       const PatchMesh mesh{ PatchKind::Joined, { cycle }, patch.Points, patch.Triangles };
       ASSERT_EQ(DescribePatchFlaws(stages.Geometry(), mesh), "") << seed << ", " << cycle;
       EXPECT_EQ(patch.Triangles.size(), border.Points.size());
