@@ -5,8 +5,8 @@ r"""Plot how errors fall with the number of planes:
     pvpython PlotConvergence.py figures.csv picture.png
 
 The file is one that CompareConvergence has written (--csv). One diagram for each solid: the RMS
-distance of the surfaces' points, which is a straight line if it falls with a power of the number of
-planes. ParaView's Python has Matplotlib.
+distance of the surfaces' points between the contours, a straight line if it falls with a power of the
+number of planes. Ruled surfaces have no such points. ParaView's Python has Matplotlib.
 """
 
 import csv
@@ -18,14 +18,13 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot
 
-# In this order; the others are drawn thin and grey.
 STYLES = {
     "smooth": ("smooth patches", "#b5382a", 2.2),
     "fan": ("fans, least squares", "#2e5cb8", 1.6),
-    "fan-centroid": ("fans, centroid (the paper's)", "#288c40", 1.6),
+    "fan-centroid": ("fans, centroid", "#288c40", 1.6),
+    "coons": ("Coons", "#8a5fb0", 1.6),
     "volume-xyz": ("volume, xyz", "#666666", 1.2),
     "volume-z": ("volume, z", "#999999", 1.2),
-    "ruled-resample": ("ruled surface", "#c2a36b", 1.2),
 }
 
 
@@ -33,7 +32,7 @@ def read(name):
     curves = defaultdict(lambda: defaultdict(list))
     with open(name, encoding="utf-8") as file:
         for row in csv.DictReader(file):
-            curves[row["solid"]][row["method"]].append((int(row["planes"]), float(row["rms"])))
+            curves[row["solid"]][row["method"]].append((int(row["planes"]), float(row["inner_rms"])))
     return curves
 
 
@@ -59,7 +58,7 @@ def main(figures, picture):
     figure, all_axes = pyplot.subplots(1, len(curves), figsize=(3.2 * len(curves), 3.6), sharey=True)
     for axes, (solid, methods) in zip(all_axes, curves.items()):
         draw(axes, solid, methods)
-    all_axes[0].set_ylabel("RMS distance")
+    all_axes[0].set_ylabel("RMS distance inside patches")
     all_axes[len(curves) // 2].set_xlabel("planes on each axis")
     handles, labels = all_axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="lower center", ncol=len(labels), frameon=False, fontsize=9)

@@ -3,11 +3,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # bash Plugin/Examples/make-pictures.sh [folder [build]]
-# Makes the pictures of the README again (default: Data/pictures) with the plugin and the program
-# CompareMethods of a build folder (default: build/paraview, which Testing/demo.sh makes):
+# Makes the pictures of the README again (default: Data/pictures) with the plugin and the programs
+# CompareMethods and CompareConvergence of a build folder (default: build/paraview, which
+# Testing/demo.sh and Testing/test.sh make):
 #   reconstruction.png  the contours of a heart, and the surface from them
 #   comparison.png      the same slices given to other methods
 #   disagreement.png    one slice was moved: where, how much, and which one it is
+#   smooth.png          a pelvis with the paper's fans and with smooth patches
+#   convergence.png     how errors fall with the number of planes
 #   thin.png            a neuron thinner than the slices are apart, by discs and by evidence
 
 set -euo pipefail
@@ -15,8 +18,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 pictures=${1:-Data/pictures}
 build=${2:-build/paraview}
 plugin=$(find "$build/lib" -name OrthogonalSlices.so | head -n 1)
-surface=$(mktemp -d)/heart.vtp
-trap 'rm -rf "$(dirname "$surface")"' EXIT
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
 
 # A display of the size of the pictures, for programs that draw.
 draw()
@@ -27,13 +30,22 @@ draw()
 mkdir -p "$pictures"
 echo "-- $pictures/reconstruction.png"
 draw pvpython Plugin/Examples/ReconstructFiles.py Data/heart/n16_{x,y,z}.vtp \
-  "$surface" "$pictures/reconstruction.png" "$plugin" 880
+  "$scratch/heart.vtp" "$pictures/reconstruction.png" "$plugin" 880
 echo "-- $pictures/comparison.png"
 draw "$build/bin/CompareMethods" --data Data --cases knot --slices 16 --samples 10000 \
   --methods orthogonal,ruled-walk,volume-z --picture "$pictures/comparison.png"
 echo "-- $pictures/disagreement.png"
 draw pvpython Plugin/Examples/InspectDisagreement.py Data/heart/n32_{x,y,z}.vtp \
   "$pictures/disagreement.png" --plugin "$plugin" --shift y 15 0.012 0.008
+echo "-- $pictures/smooth.png"
+draw pvpython Plugin/Examples/SmoothPatches.py Data/pelvis/n32_{x,y,z}.vtp \
+  "$pictures/smooth.png" "$plugin" 1200
+echo "-- $pictures/convergence.png"
+"$build/bin/CompareConvergence" --methods smooth,coons,fan,fan-centroid,volume-xyz,volume-z \
+  --csv "$scratch/convergence.csv"
+draw pvpython Plugin/Examples/PlotConvergence.py "$scratch/convergence.csv" \
+  "$pictures/convergence.png"
 echo "-- $pictures/thin.png"
-draw pvpython Plugin/Examples/ThinParts.py Data/neuron/n16_{x,y,z}.vtp "$pictures/thin.png" "$plugin" 1200
+draw pvpython Plugin/Examples/ThinParts.py Data/neuron/n16_{x,y,z}.vtp "$pictures/thin.png" \
+  "$plugin" 1200
 ls -l "$pictures"
