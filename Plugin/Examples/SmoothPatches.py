@@ -27,7 +27,7 @@ def main(x, y, z, picture, plugin=None, width=1600):
     size = [int(width), int(width) // 2]
     views = [example.make_view() for _ in range(2)]
     for surface, view in zip((fans, smooth), views):
-        example.show(surface, view, example.SURFACE, Specular=0.9, SpecularPower=50.0, Diffuse=0.7)
+        example.show(surface, view, example.SURFACE, Specular=0.8, SpecularPower=30.0, Ambient=0.1)
         view.CenterAxesVisibility = 0
         view.CameraPosition = [1.0, -2.0, 0.8]
         view.CameraFocalPoint = [0.0, 0.0, 0.0]
@@ -38,7 +38,7 @@ def main(x, y, z, picture, plugin=None, width=1600):
     layout.SetSize(*size)
     for view in views:
         simple.ResetCamera(view)
-        view.GetActiveCamera().Zoom(1.6)
+        view.GetActiveCamera().Zoom(1.4)
     example.save_screenshot(picture, layout, size)
 
 

@@ -9,7 +9,7 @@
 #   reconstruction.png  the contours of a heart, and the surface from them
 #   comparison.png      the same slices given to other methods
 #   disagreement.png    one slice was moved: where, how much, and which one it is
-#   smooth.png          a pelvis with the paper's fans and with smooth patches
+#   smooth.png          a knot with the paper's fans and with smooth patches
 #   convergence.png     how errors fall with the number of planes
 #   thin.png            a neuron thinner than the slices are apart, by discs and by evidence
 
@@ -38,7 +38,7 @@ echo "-- $pictures/disagreement.png"
 draw pvpython Plugin/Examples/InspectDisagreement.py Data/heart/n32_{x,y,z}.vtp \
   "$pictures/disagreement.png" --plugin "$plugin" --shift y 15 0.012 0.008
 echo "-- $pictures/smooth.png"
-draw pvpython Plugin/Examples/SmoothPatches.py Data/pelvis/n32_{x,y,z}.vtp \
+draw pvpython Plugin/Examples/SmoothPatches.py Data/knot/n16_{x,y,z}.vtp \
   "$pictures/smooth.png" "$plugin" 1200
 echo "-- $pictures/convergence.png"
 "$build/bin/CompareConvergence" --methods smooth,coons,fan,fan-centroid,volume-xyz,volume-z \
