@@ -144,21 +144,7 @@ Point3 PolygonCenter::Centroid()
   {
     this->Points[i] = this->Graph.PointAt(this->Boundary[i]);
   }
-  this->Weights.assign(n, 0.0);
-  CurveCenter center(this->Points[0]);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const std::size_t j = i + 1 < n ? i + 1 : 0;
-    const double half = 0.5 * center.Add(this->Points[i], this->Points[j]);
-    this->Weights[i] += half;
-    this->Weights[j] += half;
-  }
-  const double total = center.TotalLength();
-  for (double& weight : this->Weights)
-  {
-    weight /= total > 0.0 ? total : 1.0;
-  }
-  return center.Get();
+  return WeighByLength(this->Points, this->Weights);
 }
 
 /**

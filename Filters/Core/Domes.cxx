@@ -109,7 +109,7 @@ bool DomeFit::IsHeightFunction(const DomeBase& base) const
 
 double DomeFit::HeightOver(const DomeBase& base, Index polygon)
 {
-  constexpr double weightOfLoop = 10.0; // that of the polygon is 1
+  constexpr double weightOfLoop = 10.0; // that of the polygon, which is farther away, is 1
   this->Geometry.GetBoundary(polygon, this->Border, this->NodePlaces);
   if (!this->IsHeightFunction(base))
   {
@@ -124,17 +124,12 @@ double DomeFit::HeightOver(const DomeBase& base, Index polygon)
     unit = std::max(unit, Length(places[i]));
   }
   QuadraticFit fit;
-  double length = 0.0;
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    length += Length(places[(i + 1) % n] - places[i]);
-  }
+  std::vector<double> weights;
+  WeighByLength(places, weights);
   for (std::size_t i = 0; i < n; ++i)
   {
     const Point3 p = (1.0 / unit) * places[i];
-    const double before = Length(places[i] - places[(i + n - 1) % n]);
-    const double after = Length(places[(i + 1) % n] - places[i]);
-    fit.AddPoint(p[0], p[1], p[2], 0.5 * (before + after) / length);
+    fit.AddPoint(p[0], p[1], p[2], weights[i]);
   }
   for (const Index place : this->NodePlaces)
   {

@@ -44,28 +44,8 @@ void PatchBorder::Set(const CycleGeometry& geometry, const SurfaceNormals& norma
     this->Places[i] = geometry.Graph.PointAt(this->Points[i]);
     this->Normals[i] = { normal[0], normal[1], normal[2] };
   }
-  this->MeasureLengths();
+  this->Center = WeighByLength(this->Places, this->Weights);
   this->Room = RoomInside(geometry.Grid, geometry.Polygons.Cell[cycle]);
-}
-
-void PatchBorder::MeasureLengths()
-{
-  const std::size_t n = this->Places.size();
-  this->Weights.assign(n, 0.0);
-  CurveCenter center(this->Places[0]);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const std::size_t j = i + 1 < n ? i + 1 : 0;
-    const double half = 0.5 * center.Add(this->Places[i], this->Places[j]);
-    this->Weights[i] += half;
-    this->Weights[j] += half;
-  }
-  this->Center = center.Get();
-  const double scale = center.TotalLength() > 0.0 ? 1.0 / center.TotalLength() : 0.0;
-  for (double& weight : this->Weights)
-  {
-    weight *= scale;
-  }
 }
 
 Index PatchBorder::Turn()
@@ -82,7 +62,8 @@ Index PatchBorder::Turn()
     place = place >= first ? place - first : place - first + this->Count();
   }
   std::sort(this->NodePlaces.begin(), this->NodePlaces.end());
-  this->MeasureLengths(); // to the last bit, sums depend on their order
+  this->Center =
+    WeighByLength(this->Places, this->Weights); // to the last bit, sums depend on their order
   return first;
 }
 

@@ -29,9 +29,6 @@ struct PatchBorder
   bool AreOnOneFace(Index a, Index b) const;
   /// The nearest place for a point, as it will be in the result.
   Point3 MoveInside(const SpatialGrid& grid, const Point3& place) const;
-
-private:
-  void MeasureLengths();
 };
 
 /// A patch of one cycle with points inside. Corners of triangles are as in PatchMesh.

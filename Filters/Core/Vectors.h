@@ -6,6 +6,7 @@
 #include "Types.h"
 
 #include <cmath>
+#include <vector>
 
 /// Arithmetic of points and vectors in space.
 namespace orthoslices
@@ -85,6 +86,27 @@ private:
   Point3 Sum{ 0.0, 0.0, 0.0 };
   double Total = 0.0;
 };
+
+/// The centre of a closed curve, and for each of its points the share of the curve's length that is
+/// nearest to it.
+inline Point3 WeighByLength(const std::vector<Point3>& points, std::vector<double>& weights)
+{
+  const std::size_t n = points.size();
+  weights.assign(n, 0.0);
+  CurveCenter center(points[0]);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t j = i + 1 < n ? i + 1 : 0;
+    const double half = 0.5 * center.Add(points[i], points[j]);
+    weights[i] += half;
+    weights[j] += half;
+  }
+  for (double& weight : weights)
+  {
+    weight /= center.TotalLength() > 0.0 ? center.TotalLength() : 1.0;
+  }
+  return center.Get();
+}
 }
 
 #endif
