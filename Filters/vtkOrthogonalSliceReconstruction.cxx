@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOrthogonalSliceReconstruction.h"
 
-#include "PolyDataBridge.h"
+#include "Bridge/WriteSurface.h"
 
 #include "vtkExecutive.h"
 #include "vtkInformation.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOrthogonalSlicer.h"
 
-#include "Core/SliceImage.h"
-#include "Core/SliceSurface.h"
+#include "Core/Slicing/SliceImage.h"
+#include "Core/Slicing/SliceSurface.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

@@ -9,7 +9,7 @@
  * refused with a problem that names the place.
  */
 
-#include "Fuzz/CheckEmbedding.h"
+#include "Support/CheckEmbedding.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/RandomInput.h"

@@ -12,12 +12,12 @@
  * precisions and with 32 planes too.
  */
 
-#include "Fuzz/CheckEmbedding.h"
-#include "Fuzz/ReduceInput.h"
+#include "Support/CheckEmbedding.h"
 #include "Support/DataSets.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/Random.h"
+#include "Support/ReduceInput.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
  * @brief   how vtkOrthogonalSliceReconstruction fills polygons: types, resolution, noise, curvature
  */
 
-#include "Core/Vectors.h"
+#include "Core/Base/Vectors.h"
 #include "Support/CheckSurface.h"
 #include "Support/DataSets.h"
 #include "Support/FilterRun.h"

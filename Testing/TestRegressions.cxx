@@ -7,9 +7,9 @@
  * Found by FuzzReconstruct and RandomSolids and reduced by them.
  */
 
-#include "Fuzz/CheckEmbedding.h"
-#include "Fuzz/ReduceInput.h"
+#include "Support/CheckEmbedding.h"
 #include "Support/Perturbations.h"
+#include "Support/ReduceInput.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
  * number of solids of each kind.
  */
 
-#include "Core/Vectors.h"
+#include "Core/Base/Vectors.h"
 #include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
 #include "Support/Random.h"

@@ -6,7 +6,7 @@
  * belongs together, and what it says about that
  */
 
-#include "Fuzz/CheckEmbedding.h"
+#include "Support/CheckEmbedding.h"
 #include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SurfaceArrays.h"
+#include "Bridge/SurfaceArrays.h"
 
-#include "Core/TriangleMeasures.h"
+#include "Core/Surface/TriangleMeasures.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

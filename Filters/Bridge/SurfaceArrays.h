@@ -7,7 +7,7 @@
 #ifndef SurfaceArrays_h
 #define SurfaceArrays_h
 
-#include "Core/Types.h"
+#include "Core/Base/Types.h"
 
 class vtkPolyData;
 

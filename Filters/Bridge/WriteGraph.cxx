@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyDataBridge.h"
-#include "WritePoints.h"
+#include "Bridge/PointArrays.h"
+#include "Bridge/WriteSurface.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyDataBridge.h"
-#include "SurfaceArrays.h"
-#include "WritePoints.h"
+#include "Bridge/WriteSurface.h"
+#include "Bridge/PointArrays.h"
+#include "Bridge/SurfaceArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PolyDataBridge.h"
+#include "Bridge/WriteSurface.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"

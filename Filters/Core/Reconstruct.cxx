@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Reconstruct.h"
+#include "Core/Reconstruct.h"
 
-#include "AssembleContours.h"
-#include "Box.h"
-#include "Domes.h"
-#include "SeparatePatches.h"
-#include "SmallComponents.h"
-#include "SmoothContours.h"
-#include "ThinArcs.h"
+#include "Core/Base/Box.h"
+#include "Core/Cells/SeparatePatches.h"
+#include "Core/Graph/RemoveSmallComponents.h"
+#include "Core/Graph/SimplifyArcs.h"
+#include "Core/Patches/Domes.h"
+#include "Core/Slices/AssembleContours.h"
+#include "Core/Slices/SmoothContours.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,19 +3,19 @@
 #ifndef OrthoSlicesReconstruct_h
 #define OrthoSlicesReconstruct_h
 
-#include "CentralPoint.h"
-#include "EmbedArcs.h"
-#include "IsolatedContours.h"
-#include "JoinCycles.h"
-#include "MeasureAgreement.h"
-#include "NodeGraph.h"
-#include "OrientContours.h"
-#include "ReconcileSlices.h"
-#include "SpatialGrid.h"
-#include "TraceCycles.h"
-#include "Triangles.h"
-#include "Types.h"
-#include "UndecidedPlaces.h"
+#include "Core/Base/Types.h"
+#include "Core/Cells/ChooseJoins.h"
+#include "Core/Cells/UndecidedPlaces.h"
+#include "Core/Crossings/MeasureAgreement.h"
+#include "Core/Crossings/ReconcileSlices.h"
+#include "Core/Graph/EmbedArcs.h"
+#include "Core/Graph/IsolatedContours.h"
+#include "Core/Graph/NodeGraph.h"
+#include "Core/Graph/TraceCycles.h"
+#include "Core/Patches/CentralPoints.h"
+#include "Core/Slices/OrientContours.h"
+#include "Core/Slices/SpatialGrid.h"
+#include "Core/Surface/LayOutTriangles.h"
 
 namespace orthoslices
 {

@@ -16,7 +16,7 @@
 #include "Support/SliceSolid.h"
 #include "Support/SmoothSolids.h"
 
-#include "Core/Vectors.h"
+#include "Core/Base/Vectors.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Evidence.h"
 
-#include "Core/ContourEllipse.h"
+#include "Core/Correspondence/ContourEllipse.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

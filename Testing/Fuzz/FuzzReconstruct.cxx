@@ -14,9 +14,9 @@
  * regression test.
  */
 
-#include "Fuzz/CheckEmbedding.h"
-#include "Fuzz/ReduceInput.h"
+#include "Support/CheckEmbedding.h"
 #include "Support/Random.h"
+#include "Support/ReduceInput.h"
 
 #include <algorithm>
 #include <cctype>

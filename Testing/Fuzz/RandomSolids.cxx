@@ -9,10 +9,10 @@
  * A failure is reduced and printed as text; the exit code is 1 then.
  */
 
-#include "Fuzz/CheckEmbedding.h"
-#include "Fuzz/ReduceInput.h"
+#include "Support/CheckEmbedding.h"
 #include "Support/Perturbations.h"
 #include "Support/RandomInput.h"
+#include "Support/ReduceInput.h"
 
 #include <chrono>
 #include <cmath>

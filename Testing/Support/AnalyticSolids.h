@@ -12,7 +12,7 @@
 #ifndef OrthoSlicesAnalyticSolids_h
 #define OrthoSlicesAnalyticSolids_h
 
-#include "Core/Types.h"
+#include "Core/Base/Types.h"
 
 #include <functional>
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fuzz/CheckEmbedding.h"
+#include "Support/CheckEmbedding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #ifndef OrthoSlicesCheckPatch_h
 #define OrthoSlicesCheckPatch_h
 
-#include "Core/PatchMesh.h"
+#include "Core/Cells/PatchMesh.h"
 #include "Support/CheckSurface.h"
 
 #include <string>

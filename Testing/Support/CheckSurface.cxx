@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/CheckSurface.h"
 
-#include "Core/AssembleContours.h"
+#include "Core/Slices/AssembleContours.h"
 #include "Support/Random.h"
 
 #include "vtkIdList.h"

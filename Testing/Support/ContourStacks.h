@@ -8,7 +8,7 @@
 #ifndef OrthoSlicesContourStacks_h
 #define OrthoSlicesContourStacks_h
 
-#include "Core/Correspondence.h"
+#include "Core/Correspondence/FindCorrespondences.h"
 #include "Support/TextContours.h"
 
 namespace orthoslices

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/InclinedSolids.h"
 
-#include "Core/Predicates.h"
+#include "Core/Base/Predicates.h"
 
 #include <algorithm>
 #include <cmath>

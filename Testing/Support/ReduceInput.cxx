@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fuzz/ReduceInput.h"
+#include "Support/ReduceInput.h"
 
-#include "Fuzz/CheckEmbedding.h"
+#include "Support/CheckEmbedding.h"
 
 #include <algorithm>
 #include <cmath>

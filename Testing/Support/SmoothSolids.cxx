@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/SmoothSolids.h"
 
-#include "Core/Vectors.h"
+#include "Core/Base/Vectors.h"
 
 #include <algorithm>
 #include <array>

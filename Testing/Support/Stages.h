@@ -8,9 +8,9 @@
 #ifndef OrthoSlicesStages_h
 #define OrthoSlicesStages_h
 
-#include "Core/AssembleContours.h"
-#include "Core/EmbedArcs.h"
+#include "Core/Graph/EmbedArcs.h"
 #include "Core/Reconstruct.h"
+#include "Core/Slices/AssembleContours.h"
 #include "Support/CheckSurface.h"
 #include "Support/RandomInput.h"
 #include "Support/TextContours.h"

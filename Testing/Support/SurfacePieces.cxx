@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/SurfacePieces.h"
 
-#include "Core/DisjointSets.h"
+#include "Core/Base/DisjointSets.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #ifndef OrthoSlicesSurfacePieces_h
 #define OrthoSlicesSurfacePieces_h
 
-#include "Core/Correspondence.h"
+#include "Core/Correspondence/FindCorrespondences.h"
 #include "Support/AnalyticSolids.h"
 
 #include <optional>

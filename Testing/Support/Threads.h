@@ -8,7 +8,7 @@
 #ifndef OrthoSlicesThreads_h
 #define OrthoSlicesThreads_h
 
-#include "Core/Types.h"
+#include "Core/Base/Types.h"
 #include "Support/Random.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesBox_h
 #define OrthoSlicesBox_h
 
-#include "Vectors.h"
+#include "Core/Base/Vectors.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesDisjointSets_h
 #define OrthoSlicesDisjointSets_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 #include <algorithm>
 #include <numeric>

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesPredicates_h
 #define OrthoSlicesPredicates_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 #include <cmath>
 

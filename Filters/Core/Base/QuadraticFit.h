@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesQuadraticFit_h
 #define OrthoSlicesQuadraticFit_h
 
-#include "LeastSquares.h"
-#include "Types.h"
+#include "Core/Base/LeastSquares.h"
+#include "Core/Base/Types.h"
 
 #include <array>
 

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesVectors_h
 #define OrthoSlicesVectors_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 #include <cmath>
 #include <vector>

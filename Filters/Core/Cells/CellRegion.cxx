@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CellRegion.h"
+#include "Core/Cells/CellRegion.h"
 
 #include <algorithm>
 #include <numeric>

@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesCellRegion_h
 #define OrthoSlicesCellRegion_h
 
-#include "PatchMesh.h"
-#include "Predicates.h"
+#include "Core/Base/Predicates.h"
+#include "Core/Cells/PatchMesh.h"
 
 namespace orthoslices
 {

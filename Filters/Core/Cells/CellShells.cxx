@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CellShells.h"
+#include "Core/Cells/CellShells.h"
 
-#include "CellRegion.h"
-#include "TriangulatePolygon.h"
-#include "Vectors.h"
+#include "Core/Base/Vectors.h"
+#include "Core/Cells/CellRegion.h"
+#include "Core/Planar/TriangulatePolygon.h"
 
 #include <algorithm>
 #include <limits>

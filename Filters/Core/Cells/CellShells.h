@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesCellShells_h
 #define OrthoSlicesCellShells_h
 
-#include "PatchMesh.h"
+#include "Core/Cells/PatchMesh.h"
 
 namespace orthoslices
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "JoinCycles.h"
+#include "Core/Cells/ChooseJoins.h"
 
-#include "Box.h"
+#include "Core/Base/Box.h"
 
 #include <algorithm>
 

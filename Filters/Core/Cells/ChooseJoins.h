@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef OrthoSlicesJoinCycles_h
-#define OrthoSlicesJoinCycles_h
+#ifndef OrthoSlicesChooseJoins_h
+#define OrthoSlicesChooseJoins_h
 
-#include "JoinEvidence.h"
+#include "Core/Cells/JoinEvidence.h"
 
 namespace orthoslices
 {

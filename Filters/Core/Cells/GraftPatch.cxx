@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GraftPatch.h"
+#include "Core/Cells/GraftPatch.h"
 
-#include "TubePatch.h"
-#include "Vectors.h"
+#include "Core/Base/Vectors.h"
+#include "Core/Cells/TubePatch.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesGraftPatch_h
 #define OrthoSlicesGraftPatch_h
 
-#include "PatchMesh.h"
+#include "Core/Cells/PatchMesh.h"
 
 namespace orthoslices
 {

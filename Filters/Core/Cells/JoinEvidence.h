@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesJoinEvidence_h
 #define OrthoSlicesJoinEvidence_h
 
-#include "PatchMesh.h"
-#include "StitchSlabs.h"
+#include "Core/Cells/PatchMesh.h"
+#include "Core/Slabs/StitchSlabs.h"
 
 namespace orthoslices
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "JoinPatch.h"
+#include "Core/Cells/JoinPatch.h"
 
-#include "Vectors.h"
+#include "Core/Base/Vectors.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesJoinPatch_h
 #define OrthoSlicesJoinPatch_h
 
-#include "TubePatch.h"
+#include "Core/Cells/TubePatch.h"
 
 namespace orthoslices
 {

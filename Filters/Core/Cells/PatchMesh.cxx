@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "PatchMesh.h"
+#include "Core/Cells/PatchMesh.h"
 
-#include "Predicates.h"
+#include "Core/Base/Predicates.h"
 
 #include <algorithm>
 

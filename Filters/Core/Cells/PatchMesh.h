@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesPatchMesh_h
 #define OrthoSlicesPatchMesh_h
 
-#include "Box.h"
-#include "TraceCycles.h"
+#include "Core/Base/Box.h"
+#include "Core/Graph/TraceCycles.h"
 
 #include <algorithm>
 #include <set>

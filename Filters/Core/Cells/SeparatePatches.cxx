@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SeparatePatches.h"
+#include "Core/Cells/SeparatePatches.h"
 
-#include "CellShells.h"
-#include "GraftPatch.h"
-#include "JoinPatch.h"
-#include "Predicates.h"
+#include "Core/Base/Predicates.h"
+#include "Core/Cells/CellShells.h"
+#include "Core/Cells/GraftPatch.h"
+#include "Core/Cells/JoinPatch.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesSeparatePatches_h
 #define OrthoSlicesSeparatePatches_h
 
-#include "JoinCycles.h"
+#include "Core/Cells/ChooseJoins.h"
 
 namespace orthoslices
 {

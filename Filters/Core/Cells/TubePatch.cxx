@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TubePatch.h"
+#include "Core/Cells/TubePatch.h"
 
-#include "Vectors.h"
+#include "Core/Base/Vectors.h"
 
 #include <algorithm>
 #include <cmath>

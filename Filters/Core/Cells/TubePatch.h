@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesTubePatch_h
 #define OrthoSlicesTubePatch_h
 
-#include "PatchMesh.h"
+#include "Core/Cells/PatchMesh.h"
 
 #include <limits>
 

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesUndecidedPlaces_h
 #define OrthoSlicesUndecidedPlaces_h
 
-#include "JoinCycles.h"
+#include "Core/Cells/ChooseJoins.h"
 
 namespace orthoslices
 {

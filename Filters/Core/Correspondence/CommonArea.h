@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesCommonArea_h
 #define OrthoSlicesCommonArea_h
 
-#include "ContourStack.h"
+#include "Core/Correspondence/ContourStack.h"
 
 namespace orthoslices
 {

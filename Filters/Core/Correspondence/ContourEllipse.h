@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesContourEllipse_h
 #define OrthoSlicesContourEllipse_h
 
-#include "ContourStack.h"
+#include "Core/Correspondence/ContourStack.h"
 
 namespace orthoslices
 {

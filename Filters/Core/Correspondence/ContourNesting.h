@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesContourNesting_h
 #define OrthoSlicesContourNesting_h
 
-#include "ContourStack.h"
+#include "Core/Correspondence/ContourStack.h"
 
 namespace orthoslices
 {

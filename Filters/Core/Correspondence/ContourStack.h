@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesContourStack_h
 #define OrthoSlicesContourStack_h
 
-#include "Predicates.h"
-#include "Types.h"
+#include "Core/Base/Predicates.h"
+#include "Core/Base/Types.h"
 
 namespace orthoslices
 {

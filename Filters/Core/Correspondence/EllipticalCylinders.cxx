@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EllipticalCylinders.h"
+#include "Core/Correspondence/EllipticalCylinders.h"
 
-#include "ContourEllipse.h"
+#include "Core/Correspondence/ContourEllipse.h"
 
 #include <algorithm>
 #include <cmath>

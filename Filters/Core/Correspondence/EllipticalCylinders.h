@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesEllipticalCylinders_h
 #define OrthoSlicesEllipticalCylinders_h
 
-#include "Correspondence.h"
+#include "Core/Correspondence/FindCorrespondences.h"
 
 namespace orthoslices
 {

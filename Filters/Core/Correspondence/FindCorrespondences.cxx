@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Correspondence.h"
+#include "Core/Correspondence/FindCorrespondences.h"
 
-#include "EllipticalCylinders.h"
-#include "OverlapCriterion.h"
-#include "ReebGraphCriterion.h"
-#include "SpanningTreeCriterion.h"
+#include "Core/Correspondence/EllipticalCylinders.h"
+#include "Core/Correspondence/OverlapCriterion.h"
+#include "Core/Correspondence/ReebGraphCriterion.h"
+#include "Core/Correspondence/SpanningTreeCriterion.h"
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef OrthoSlicesCorrespondence_h
-#define OrthoSlicesCorrespondence_h
+#ifndef OrthoSlicesFindCorrespondences_h
+#define OrthoSlicesFindCorrespondences_h
 
-#include "ContourStack.h"
-#include "PriorKnowledge.h"
+#include "Core/Correspondence/ContourStack.h"
+#include "Core/Correspondence/PriorKnowledge.h"
 
 #include <tuple>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OverlapCriterion.h"
+#include "Core/Correspondence/OverlapCriterion.h"
 
-#include "CommonArea.h"
-#include "ContourNesting.h"
+#include "Core/Correspondence/CommonArea.h"
+#include "Core/Correspondence/ContourNesting.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesOverlapCriterion_h
 #define OrthoSlicesOverlapCriterion_h
 
-#include "Correspondence.h"
+#include "Core/Correspondence/FindCorrespondences.h"
 
 namespace orthoslices
 {

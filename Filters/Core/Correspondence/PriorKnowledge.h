@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesPriorKnowledge_h
 #define OrthoSlicesPriorKnowledge_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 namespace orthoslices
 {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ReebGraphCriterion.h"
+#include "Core/Correspondence/ReebGraphCriterion.h"
 
-#include "ContourNesting.h"
-#include "DisjointSets.h"
+#include "Core/Base/DisjointSets.h"
+#include "Core/Correspondence/ContourNesting.h"
 
 #include <algorithm>
 #include <cmath>

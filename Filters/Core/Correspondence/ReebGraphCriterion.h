@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesReebGraphCriterion_h
 #define OrthoSlicesReebGraphCriterion_h
 
-#include "Correspondence.h"
+#include "Core/Correspondence/FindCorrespondences.h"
 
 namespace orthoslices
 {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SpanningTreeCriterion.h"
+#include "Core/Correspondence/SpanningTreeCriterion.h"
 
-#include "ContourEllipse.h"
-#include "DisjointSets.h"
+#include "Core/Base/DisjointSets.h"
+#include "Core/Correspondence/ContourEllipse.h"
 
 #include <algorithm>
 #include <limits>

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesSpanningTreeCriterion_h
 #define OrthoSlicesSpanningTreeCriterion_h
 
-#include "Correspondence.h"
+#include "Core/Correspondence/FindCorrespondences.h"
 
 namespace orthoslices
 {

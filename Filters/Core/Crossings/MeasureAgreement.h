@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesMeasureAgreement_h
 #define OrthoSlicesMeasureAgreement_h
 
-#include "PairNodePoints.h"
+#include "Core/Crossings/PairNodePoints.h"
 
 namespace orthoslices
 {

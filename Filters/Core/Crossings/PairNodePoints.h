@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesPairNodePoints_h
 #define OrthoSlicesPairNodePoints_h
 
-#include "RegisterCrossings.h"
-#include "Repair.h"
+#include "Core/Crossings/RegisterCrossings.h"
+#include "Core/Crossings/Repair.h"
 
 #include <cmath>
 

@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesReconcileSlices_h
 #define OrthoSlicesReconcileSlices_h
 
-#include "RegisterCrossings.h"
-#include "Repair.h"
+#include "Core/Crossings/RegisterCrossings.h"
+#include "Core/Crossings/Repair.h"
 
 namespace orthoslices
 {

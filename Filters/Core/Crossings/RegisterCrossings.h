@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesRegisterCrossings_h
 #define OrthoSlicesRegisterCrossings_h
 
-#include "SpatialGrid.h"
-#include "Types.h"
+#include "Core/Base/Types.h"
+#include "Core/Slices/SpatialGrid.h"
 
 namespace orthoslices
 {

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesRepair_h
 #define OrthoSlicesRepair_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesArcShells_h
 #define OrthoSlicesArcShells_h
 
-#include "FaceArcs.h"
+#include "Core/Graph/FaceArcs.h"
 
 namespace orthoslices
 {

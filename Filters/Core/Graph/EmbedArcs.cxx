@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "EmbedArcs.h"
+#include "Core/Graph/EmbedArcs.h"
 
-#include "ArcShells.h"
-#include "FaceArcs.h"
-#include "UncrossCurves.h"
+#include "Core/Graph/ArcShells.h"
+#include "Core/Graph/FaceArcs.h"
+#include "Core/Planar/UncrossCurves.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesEmbedArcs_h
 #define OrthoSlicesEmbedArcs_h
 
-#include "NodeGraph.h"
+#include "Core/Graph/NodeGraph.h"
 
 namespace orthoslices
 {

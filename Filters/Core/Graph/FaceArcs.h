@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesFaceArcs_h
 #define OrthoSlicesFaceArcs_h
 
-#include "NodeGraph.h"
-#include "Predicates.h"
+#include "Core/Base/Predicates.h"
+#include "Core/Graph/NodeGraph.h"
 
 namespace orthoslices
 {

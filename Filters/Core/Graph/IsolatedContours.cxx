@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "IsolatedContours.h"
+#include "Core/Graph/IsolatedContours.h"
 
-#include "FaceArcs.h"
-#include "UncrossCurves.h"
+#include "Core/Graph/FaceArcs.h"
+#include "Core/Planar/UncrossCurves.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesIsolatedContours_h
 #define OrthoSlicesIsolatedContours_h
 
-#include "NodeGraph.h"
+#include "Core/Graph/NodeGraph.h"
 
 namespace orthoslices
 {

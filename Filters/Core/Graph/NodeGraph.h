@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesNodeGraph_h
 #define OrthoSlicesNodeGraph_h
 
-#include "DisjointSets.h"
-#include "PairNodePoints.h"
+#include "Core/Base/DisjointSets.h"
+#include "Core/Crossings/PairNodePoints.h"
 
 namespace orthoslices
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SmallComponents.h"
+#include "Core/Graph/RemoveSmallComponents.h"
 
-#include "Box.h"
+#include "Core/Base/Box.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef OrthoSlicesSmallComponents_h
-#define OrthoSlicesSmallComponents_h
+#ifndef OrthoSlicesRemoveSmallComponents_h
+#define OrthoSlicesRemoveSmallComponents_h
 
-#include "IsolatedContours.h"
+#include "Core/Graph/IsolatedContours.h"
 
 namespace orthoslices
 {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef OrthoSlicesThinArcs_h
-#define OrthoSlicesThinArcs_h
+#ifndef OrthoSlicesSimplifyArcs_h
+#define OrthoSlicesSimplifyArcs_h
 
-#include "NodeGraph.h"
+#include "Core/Graph/NodeGraph.h"
 
 namespace orthoslices
 {

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesTraceCycles_h
 #define OrthoSlicesTraceCycles_h
 
-#include "NodeGraph.h"
+#include "Core/Graph/NodeGraph.h"
 
 namespace orthoslices
 {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CentralPoint.h"
+#include "Core/Patches/CentralPoints.h"
 
-#include "QuadraticFit.h"
-#include "Vectors.h"
+#include "Core/Base/QuadraticFit.h"
+#include "Core/Base/Vectors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef OrthoSlicesCentralPoint_h
-#define OrthoSlicesCentralPoint_h
+#ifndef OrthoSlicesCentralPoints_h
+#define OrthoSlicesCentralPoints_h
 
-#include "PatchMesh.h"
+#include "Core/Cells/PatchMesh.h"
 
 namespace orthoslices
 {

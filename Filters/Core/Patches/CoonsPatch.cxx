@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CoonsPatch.h"
+#include "Core/Patches/CoonsPatch.h"
 
-#include "DiscTriangulation.h"
-#include "Quadrilaterals.h"
+#include "Core/Patches/Quadrilaterals.h"
+#include "Core/Planar/DiscTriangulation.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesCoonsPatch_h
 #define OrthoSlicesCoonsPatch_h
 
-#include "PatchBorder.h"
+#include "Core/Patches/PatchBorder.h"
 
 namespace orthoslices
 {

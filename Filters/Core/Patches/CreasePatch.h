@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesCreasePatch_h
 #define OrthoSlicesCreasePatch_h
 
-#include "PatchBorder.h"
+#include "Core/Patches/PatchBorder.h"
 
 namespace orthoslices
 {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Domes.h"
+#include "Core/Patches/Domes.h"
 
-#include "CentralPoint.h"
-#include "QuadraticFit.h"
-#include "Vectors.h"
+#include "Core/Base/QuadraticFit.h"
+#include "Core/Base/Vectors.h"
+#include "Core/Patches/CentralPoints.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesDomes_h
 #define OrthoSlicesDomes_h
 
-#include "PatchMesh.h"
-#include "TraceCycles.h"
+#include "Core/Cells/PatchMesh.h"
+#include "Core/Graph/TraceCycles.h"
 
 #include <vector>
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SurfaceNormals.h"
+#include "Core/Patches/EstimateNormals.h"
 
-#include "CentralPoint.h"
-#include "ContourTangents.h"
-#include "SlopeOverSlice.h"
-#include "Vectors.h"
+#include "Core/Base/Vectors.h"
+#include "Core/Patches/CentralPoints.h"
+#include "Core/Patches/SlopeOverSlice.h"
+#include "Core/Slices/ContourCurve.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef OrthoSlicesSurfaceNormals_h
-#define OrthoSlicesSurfaceNormals_h
+#ifndef OrthoSlicesEstimateNormals_h
+#define OrthoSlicesEstimateNormals_h
 
-#include "PatchMesh.h"
+#include "Core/Cells/PatchMesh.h"
 
 namespace orthoslices
 {

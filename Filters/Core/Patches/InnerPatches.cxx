@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "InnerPatches.h"
+#include "Core/Patches/InnerPatches.h"
 
-#include "CoonsPatch.h"
-#include "CreasePatch.h"
+#include "Core/Patches/CoonsPatch.h"
+#include "Core/Patches/CreasePatch.h"
 
 #include <algorithm>
 

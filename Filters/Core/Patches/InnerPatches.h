@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesInnerPatches_h
 #define OrthoSlicesInnerPatches_h
 
-#include "SmoothPatch.h"
+#include "Core/Patches/SmoothPatch.h"
 
 namespace orthoslices
 {

@@ -3,10 +3,10 @@
 #ifndef OrthoSlicesPatchBorder_h
 #define OrthoSlicesPatchBorder_h
 
-#include "Box.h"
-#include "PatchMesh.h"
-#include "Predicates.h"
-#include "SurfaceNormals.h"
+#include "Core/Base/Box.h"
+#include "Core/Base/Predicates.h"
+#include "Core/Cells/PatchMesh.h"
+#include "Core/Patches/EstimateNormals.h"
 
 namespace orthoslices
 {

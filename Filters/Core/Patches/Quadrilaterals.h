@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesQuadrilaterals_h
 #define OrthoSlicesQuadrilaterals_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 namespace orthoslices
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SlopeOverSlice.h"
+#include "Core/Patches/SlopeOverSlice.h"
 
 #include <algorithm>
 

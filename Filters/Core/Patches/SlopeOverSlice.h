@@ -3,9 +3,9 @@
 #ifndef OrthoSlicesSlopeOverSlice_h
 #define OrthoSlicesSlopeOverSlice_h
 
-#include "LeastSquares.h"
-#include "Monomials.h"
-#include "Predicates.h"
+#include "Core/Base/LeastSquares.h"
+#include "Core/Base/Monomials.h"
+#include "Core/Base/Predicates.h"
 
 namespace orthoslices
 {

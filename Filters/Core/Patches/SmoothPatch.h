@@ -3,9 +3,9 @@
 #ifndef OrthoSlicesSmoothPatch_h
 #define OrthoSlicesSmoothPatch_h
 
-#include "DiscTriangulation.h"
-#include "PatchBorder.h"
-#include "SmoothSurface.h"
+#include "Core/Patches/PatchBorder.h"
+#include "Core/Patches/SmoothSurface.h"
+#include "Core/Planar/DiscTriangulation.h"
 
 namespace orthoslices
 {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SmoothSurface.h"
+#include "Core/Patches/SmoothSurface.h"
 
-#include "LeastSquares.h"
-#include "Monomials.h"
-#include "Vectors.h"
+#include "Core/Base/LeastSquares.h"
+#include "Core/Base/Monomials.h"
+#include "Core/Base/Vectors.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesSmoothSurface_h
 #define OrthoSlicesSmoothSurface_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 namespace orthoslices
 {

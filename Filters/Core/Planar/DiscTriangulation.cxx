@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "DiscTriangulation.h"
+#include "Core/Planar/DiscTriangulation.h"
 
-#include "TriangulatePolygon.h"
+#include "Core/Planar/TriangulatePolygon.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesDiscTriangulation_h
 #define OrthoSlicesDiscTriangulation_h
 
-#include "Predicates.h"
+#include "Core/Base/Predicates.h"
 
 namespace orthoslices
 {

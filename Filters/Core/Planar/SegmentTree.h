@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesSegmentTree_h
 #define OrthoSlicesSegmentTree_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 namespace orthoslices
 {

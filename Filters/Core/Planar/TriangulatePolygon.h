@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesTriangulatePolygon_h
 #define OrthoSlicesTriangulatePolygon_h
 
-#include "Predicates.h"
+#include "Core/Base/Predicates.h"
 
 namespace orthoslices
 {

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesUncrossCurves_h
 #define OrthoSlicesUncrossCurves_h
 
-#include "Predicates.h"
+#include "Core/Base/Predicates.h"
 
 namespace orthoslices
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OverlaySlab.h"
+#include "Core/Slabs/OverlaySlab.h"
 
-#include "SegmentTree.h"
+#include "Core/Planar/SegmentTree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesOverlaySlab_h
 #define OrthoSlicesOverlaySlab_h
 
-#include "Predicates.h"
+#include "Core/Base/Predicates.h"
 
 namespace orthoslices
 {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StitchSlabs.h"
+#include "Core/Slabs/StitchSlabs.h"
 
-#include "OverlaySlab.h"
-#include "UncrossCurves.h"
-#include "Vectors.h"
+#include "Core/Base/Vectors.h"
+#include "Core/Planar/UncrossCurves.h"
+#include "Core/Slabs/OverlaySlab.h"
 
 #include <algorithm>
 #include <map>

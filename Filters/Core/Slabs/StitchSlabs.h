@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesStitchSlabs_h
 #define OrthoSlicesStitchSlabs_h
 
-#include "Correspondence.h"
-#include "PatchMesh.h"
+#include "Core/Cells/PatchMesh.h"
+#include "Core/Correspondence/FindCorrespondences.h"
 
 namespace orthoslices
 {

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesAssembleContours_h
 #define OrthoSlicesAssembleContours_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 namespace orthoslices
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ContourTangents.h"
+#include "Core/Slices/ContourCurve.h"
 
-#include "LeastSquares.h"
+#include "Core/Base/LeastSquares.h"
 
 #include <algorithm>
 

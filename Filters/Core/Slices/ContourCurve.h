@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef OrthoSlicesContourTangents_h
-#define OrthoSlicesContourTangents_h
+#ifndef OrthoSlicesContourCurve_h
+#define OrthoSlicesContourCurve_h
 
-#include "Predicates.h"
+#include "Core/Base/Predicates.h"
 
 namespace orthoslices
 {

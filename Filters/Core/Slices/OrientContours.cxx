@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OrientContours.h"
+#include "Core/Slices/OrientContours.h"
 
-#include "Predicates.h"
-#include "SegmentTree.h"
+#include "Core/Base/Predicates.h"
+#include "Core/Planar/SegmentTree.h"
 
 #include <algorithm>
 #include <cmath>

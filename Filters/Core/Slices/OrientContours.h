@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesOrientContours_h
 #define OrthoSlicesOrientContours_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 namespace orthoslices
 {

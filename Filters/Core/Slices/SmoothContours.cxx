@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SmoothContours.h"
+#include "Core/Slices/SmoothContours.h"
 
-#include "ContourTangents.h"
+#include "Core/Slices/ContourCurve.h"
 
 namespace orthoslices
 {

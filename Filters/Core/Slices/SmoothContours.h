@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesSmoothContours_h
 #define OrthoSlicesSmoothContours_h
 
-#include "SpatialGrid.h"
+#include "Core/Slices/SpatialGrid.h"
 
 namespace orthoslices
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SpatialGrid.h"
+#include "Core/Slices/SpatialGrid.h"
 
 #include <cmath>
 #include <limits>

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesSpatialGrid_h
 #define OrthoSlicesSpatialGrid_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 #include <algorithm>
 

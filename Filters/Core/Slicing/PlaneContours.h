@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesPlaneContours_h
 #define OrthoSlicesPlaneContours_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 namespace orthoslices
 {

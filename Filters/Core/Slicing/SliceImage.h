@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesSliceImage_h
 #define OrthoSlicesSliceImage_h
 
-#include "PlaneContours.h"
+#include "Core/Slicing/PlaneContours.h"
 
 namespace orthoslices
 {

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesSliceSurface_h
 #define OrthoSlicesSliceSurface_h
 
-#include "PlaneContours.h"
+#include "Core/Slicing/PlaneContours.h"
 
 /**
  * Contours of a closed triangle surface on the planes of one axis, as input for the

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Triangles.h"
+#include "Core/Surface/LayOutTriangles.h"
 
-#include "Quadrilaterals.h"
+#include "Core/Patches/Quadrilaterals.h"
 
 #include <algorithm>
 #include <numeric>

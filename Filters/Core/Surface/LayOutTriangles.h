@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef OrthoSlicesTriangles_h
-#define OrthoSlicesTriangles_h
+#ifndef OrthoSlicesLayOutTriangles_h
+#define OrthoSlicesLayOutTriangles_h
 
-#include "InnerPatches.h"
+#include "Core/Patches/InnerPatches.h"
 
 namespace orthoslices
 {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TriangleMeasures.h"
+#include "Core/Surface/TriangleMeasures.h"
 
-#include "LeastSquares.h"
-#include "Vectors.h"
+#include "Core/Base/LeastSquares.h"
+#include "Core/Base/Vectors.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesTriangleMeasures_h
 #define OrthoSlicesTriangleMeasures_h
 
-#include "Types.h"
+#include "Core/Base/Types.h"
 
 namespace orthoslices
 {
@@ -12,7 +12,8 @@ struct TriangleQuality
 {
   double SmallestAngle = 0.0;       ///< of all triangles, in degrees
   double ShareAbove20Degrees = 0.0; ///< of the triangles, those with no smaller angle
-  double LargestAspectRatio = 0.0;  ///< longest side by height over it: 1.15 at best, infinite for no area
+  double LargestAspectRatio =
+    0.0; ///< longest side by height over it: 1.15 at best, infinite for no area
 };
 
 /// Triangles are three ids each of points x, y, z.

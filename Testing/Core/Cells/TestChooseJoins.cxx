@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/JoinCycles.h"
+#include "Core/Cells/ChooseJoins.h"
 
 #include "Core/Reconstruct.h"
-#include "Fuzz/CheckEmbedding.h"
+#include "Support/CheckEmbedding.h"
 #include "Support/CheckPatch.h"
 #include "Support/CheckSurface.h"
 #include "Support/RandomInput.h"

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/GraftPatch.h"
-#include "Core/JoinPatch.h"
+#include "Core/Cells/GraftPatch.h"
+#include "Core/Cells/JoinPatch.h"
 
 #include "Core/Reconstruct.h"
-#include "Fuzz/CheckEmbedding.h"
+#include "Support/CheckEmbedding.h"
 #include "Support/CheckPatch.h"
 
 #include <gtest/gtest.h>

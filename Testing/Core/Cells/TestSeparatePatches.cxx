@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/SeparatePatches.h"
-#include "Core/TriangulatePolygon.h"
+#include "Core/Cells/SeparatePatches.h"
+#include "Core/Planar/TriangulatePolygon.h"
 
-#include "Core/Predicates.h"
+#include "Core/Base/Predicates.h"
 #include "Core/Reconstruct.h"
-#include "Fuzz/CheckEmbedding.h"
+#include "Support/CheckEmbedding.h"
 #include "Support/CheckPatch.h"
 #include "Support/Random.h"
 #include "Support/RandomInput.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/UndecidedPlaces.h"
+#include "Core/Cells/UndecidedPlaces.h"
 
 #include "Core/Reconstruct.h"
 #include "Support/Random.h"

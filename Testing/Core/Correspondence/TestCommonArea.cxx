@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/CommonArea.h"
+#include "Core/Correspondence/CommonArea.h"
 
 #include "Support/ContourStacks.h"
 

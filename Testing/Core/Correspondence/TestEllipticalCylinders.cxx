@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/EllipticalCylinders.h"
+#include "Core/Correspondence/EllipticalCylinders.h"
 
 #include "Support/ContourStacks.h"
 

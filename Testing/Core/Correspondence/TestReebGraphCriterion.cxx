@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/ReebGraphCriterion.h"
+#include "Core/Correspondence/ReebGraphCriterion.h"
 
 #include "Support/ContourStacks.h"
 

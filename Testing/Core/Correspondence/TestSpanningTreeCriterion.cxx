@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/SpanningTreeCriterion.h"
+#include "Core/Correspondence/SpanningTreeCriterion.h"
 
-#include "Core/DisjointSets.h"
+#include "Core/Base/DisjointSets.h"
 #include "Support/ContourStacks.h"
 #include "Support/Random.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/MeasureAgreement.h"
+#include "Core/Crossings/MeasureAgreement.h"
 
-#include "Core/CentralPoint.h"
+#include "Core/Patches/CentralPoints.h"
 #include "Support/Perturbations.h"
 #include "Support/SliceSolid.h"
 #include "Support/Stages.h"

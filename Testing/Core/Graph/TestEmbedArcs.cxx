@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/EmbedArcs.h"
+#include "Core/Graph/EmbedArcs.h"
 
-#include "Fuzz/CheckEmbedding.h"
+#include "Support/CheckEmbedding.h"
 #include "Support/Stages.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/TraceCycles.h"
+#include "Core/Graph/TraceCycles.h"
 
 #include "Support/Stages.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/CentralPoint.h"
+#include "Core/Patches/CentralPoints.h"
 
 #include "Support/SliceSolid.h"
 #include "Support/Stages.h"

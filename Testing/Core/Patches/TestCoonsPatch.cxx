@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/CoonsPatch.h"
+#include "Core/Patches/CoonsPatch.h"
 
-#include "Core/Vectors.h"
+#include "Core/Base/Vectors.h"
 #include "Support/CheckPatch.h"
 #include "Support/Stages.h"
 

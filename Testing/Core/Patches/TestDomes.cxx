@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Reconstruct.h"
 
-#include "Core/Domes.h"
-#include "Core/Vectors.h"
+#include "Core/Base/Vectors.h"
+#include "Core/Patches/Domes.h"
 #include "Support/CheckSurface.h"
 #include "Support/SliceSolid.h"
 #include "Support/TextContours.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/SurfaceNormals.h"
+#include "Core/Patches/EstimateNormals.h"
 
-#include "Core/Vectors.h"
+#include "Core/Base/Vectors.h"
 #include "Support/SliceSolid.h"
 #include "Support/Stages.h"
 #include "Support/Threads.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Quadrilaterals.h"
+#include "Core/Patches/Quadrilaterals.h"
 
 #include "Support/Random.h"
 

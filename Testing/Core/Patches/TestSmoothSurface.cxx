@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/SmoothSurface.h"
+#include "Core/Patches/SmoothSurface.h"
 
-#include "Core/Predicates.h"
-#include "Core/Vectors.h"
+#include "Core/Base/Predicates.h"
+#include "Core/Base/Vectors.h"
 #include "Support/Random.h"
 
 #include <gtest/gtest.h>

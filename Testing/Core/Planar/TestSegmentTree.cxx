@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/SegmentTree.h"
+#include "Core/Planar/SegmentTree.h"
 
 #include "Support/Random.h"
 #include "Support/TextContours.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/TriangulatePolygon.h"
+#include "Core/Planar/TriangulatePolygon.h"
 
 #include "Support/Random.h"
 

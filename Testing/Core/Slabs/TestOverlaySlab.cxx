@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/OverlaySlab.h"
+#include "Core/Slabs/OverlaySlab.h"
 
 #include "Support/CheckSurface.h"
 #include "Support/Random.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/OrientContours.h"
+#include "Core/Slices/OrientContours.h"
 
-#include "Core/SpatialGrid.h"
+#include "Core/Slices/SpatialGrid.h"
 #include "Support/Random.h"
 #include "Support/TextContours.h"
 

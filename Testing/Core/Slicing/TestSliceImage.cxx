@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/SliceImage.h"
+#include "Core/Slicing/SliceImage.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/SliceSurface.h"
+#include "Core/Slicing/SliceSurface.h"
 
 #include <gtest/gtest.h>
 

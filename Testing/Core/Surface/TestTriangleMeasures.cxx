@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/TriangleMeasures.h"
+#include "Core/Surface/TriangleMeasures.h"
 
-#include "Core/Vectors.h"
+#include "Core/Base/Vectors.h"
 #include "Support/Random.h"
 #include "Support/Threads.h"
 
