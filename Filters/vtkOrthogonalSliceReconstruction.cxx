@@ -49,18 +49,18 @@ const char* Describe(orthoslices::ProblemKind kind)
 /// One line for each problem, the first ones only.
 std::string ListProblems(const std::vector<orthoslices::Problem>& problems)
 {
-  constexpr std::size_t most = 10;
+  constexpr std::size_t maximum = 10;
   std::ostringstream text;
-  for (std::size_t i = 0; i < problems.size() && i < most; ++i)
+  for (std::size_t i = 0; i < problems.size() && i < maximum; ++i)
   {
     const orthoslices::Problem& problem = problems[i];
     text << "\n  port " << problem.Port << " (" << AxisNames[problem.Port] << "-slices), cell "
          << problem.Cell << ": the contour " << Describe(problem.Kind) << " at ("
          << problem.Where[0] << ", " << problem.Where[1] << ", " << problem.Where[2] << ")";
   }
-  if (problems.size() > most)
+  if (problems.size() > maximum)
   {
-    text << "\n  and " << problems.size() - most << " more";
+    text << "\n  and " << problems.size() - maximum << " more";
   }
   return text.str();
 }
@@ -368,11 +368,11 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   options.ContourTolerance = this->ContourTolerance;
   options.Several = this->SeveralCycles == DISCS ? orthoslices::SeveralCycles::Discs
                                                  : orthoslices::SeveralCycles::ByEvidence;
-  options.Criterion = static_cast<orthoslices::LoopCriterion>(this->Correspondence);
+  options.Criterion = static_cast<orthoslices::CorrespondenceCriterion>(this->Correspondence);
   options.Known.Components = this->ExpectedComponents;
   options.Known.Genus = this->ExpectedGenus;
-  options.LeastComponent = this->MinimumComponentSize;
-  options.LeastIsolatedContour = this->MinimumIsolatedContourSize;
+  options.MinComponent = this->MinimumComponentSize;
+  options.MinIsolatedContour = this->MinimumIsolatedContourSize;
   orthoslices::Execution execution;
   execution.For = [](std::size_t count, const orthoslices::Execution::Range& run)
   {

@@ -252,7 +252,7 @@ TEST(Degenerate, PlanesNextToFacesOfTheMesh)
 namespace
 {
 /// Coordinates of the mesh's points along an axis, ascending, each at least `least` after the last.
-std::vector<double> PointCoordinates(vtkPolyData* mesh, int axis, double least)
+std::vector<double> PointCoordinates(vtkPolyData* mesh, int axis, double minimum)
 {
   std::set<double> all;
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -262,7 +262,7 @@ std::vector<double> PointCoordinates(vtkPolyData* mesh, int axis, double least)
   std::vector<double> chosen;
   for (const double x : all)
   {
-    if (chosen.empty() || x >= chosen.back() + least)
+    if (chosen.empty() || x >= chosen.back() + minimum)
     {
       chosen.push_back(x);
     }
@@ -280,13 +280,13 @@ TEST(Degenerate, PlanesThroughVerticesOfTheMesh)
   sphere->SetThetaResolution(16);
   sphere->SetPhiResolution(17);
   sphere->Update();
-  for (const double least : { 0.02, 0.1, 0.3 })
+  for (const double minimum : { 0.02, 0.1, 0.3 })
   {
-    SCOPED_TRACE(least);
+    SCOPED_TRACE(minimum);
     std::array<std::vector<double>, 3> planes;
     for (int axis = 0; axis < 3; ++axis)
     {
-      planes[axis] = PointCoordinates(sphere->GetOutput(), axis, least);
+      planes[axis] = PointCoordinates(sphere->GetOutput(), axis, minimum);
     }
     for (const int precision : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION })
     {
@@ -411,7 +411,7 @@ TEST(Degenerate, FlatAndThin)
 TEST(Degenerate, OnePlaneOnEachAxis)
 {
   const Outcome run = ExpectSound(Squares({ 0 }, 1));
-  EXPECT_EQ(run.Core.Polygons.Count(), 8);
+  EXPECT_EQ(run.Core.Cycles.Count(), 8);
   // The planes do not meet within the contours: solids of their own, or one around the corner.
   const Outcome apart = ExpectSound("x=9: 0,0 1,0 1,1; y=9: 0,0 1,0 1,1; z=9: 0,0 1,0 1,1");
   EXPECT_GT(CheckSurface(apart.Mesh).TotalVolume(), 0.0);

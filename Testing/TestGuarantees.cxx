@@ -183,9 +183,9 @@ TriangleMesh AllPoints(const Result& result)
 std::size_t CountSnipped(const Reconstruction& result)
 {
   std::size_t count = 0;
-  for (Index c = 0; c < result.Lattice.Count(); ++c)
+  for (Index c = 0; c < result.Crossings.Count(); ++c)
   {
-    count += result.Lattice.IsRemoved(c) ? 1 : 0;
+    count += result.Crossings.IsRemoved(c) ? 1 : 0;
   }
   return count;
 }
@@ -240,9 +240,9 @@ TEST(Guarantees, G4ContourVerticesAreKept)
       const Contours contours = UsableContours(input.Sets, input.Settings, grid);
       vertices += static_cast<std::int64_t>(contours.U.size());
       // Vertices move with their node points: not at all where slices agree.
-      const double most =
+      const double maximum =
         0.5 * GreatestDisagreement(result.Core) + 1.001 * GreatestMargin(result.Core.Grid);
-      const std::size_t missing = FindMissingVertices(contours, AllPoints(result), most).size();
+      const std::size_t missing = FindMissingVertices(contours, AllPoints(result), maximum).size();
       // Loops of one or two vertices go when the reconciliation snips a pair of crossings.
       EXPECT_LE(missing, 2 * CountSnipped(result.Core));
       EXPECT_TRUE(!input.Exact || missing == 0) << missing;
@@ -283,7 +283,7 @@ void ExpectSame(const Reconstruction& a, const Reconstruction& b)
   EXPECT_EQ(MeshOf(a).Points, MeshOf(b).Points);
   EXPECT_EQ(a.Graph.Component, b.Graph.Component);
   EXPECT_EQ(a.Isolated.Points, b.Isolated.Points);
-  EXPECT_EQ(a.Polygons.Cell, b.Polygons.Cell);
+  EXPECT_EQ(a.Cycles.Cell, b.Cycles.Cell);
   EXPECT_EQ(a.Invalid.size(), b.Invalid.size());
   EXPECT_EQ(a.Crossing.size(), b.Crossing.size());
   EXPECT_EQ(MeshOf(a).Triangles, MeshOf(b).Triangles);

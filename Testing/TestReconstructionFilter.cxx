@@ -745,7 +745,7 @@ TEST(ReconstructionFilter, TableOfContoursHasARowForEach)
   ASSERT_EQ(table->GetNumberOfRows(), FieldValue(surface, "NumberOfContours"));
   const auto port = Column(table, "Port"), cell = Column(table, "Cell");
   const auto plane = Column(table, "PlaneCoordinate"), nodes = Column(table, "NodePoints");
-  const auto rms = Column(table, "RmsDisagreement"), most = Column(table, "MaxDisagreement");
+  const auto rms = Column(table, "RmsDisagreement"), maximum = Column(table, "MaxDisagreement");
   double sum = 0.0;
   for (std::size_t row = 0; row < port.size(); ++row)
   {
@@ -756,8 +756,8 @@ TEST(ReconstructionFilter, TableOfContoursHasARowForEach)
     double x[3];
     input->GetPoint(ids->GetId(0), x);
     EXPECT_EQ(x[static_cast<int>(port[row])], plane[row]);
-    EXPECT_LE(rms[row], most[row] * (1.0 + 1e-12));
-    EXPECT_TRUE(nodes[row] > 0 || most[row] == 0.0);
+    EXPECT_LE(rms[row], maximum[row] * (1.0 + 1e-12));
+    EXPECT_TRUE(nodes[row] > 0 || maximum[row] == 0.0);
     sum += nodes[row];
   }
   // Two contours meet in a node point, unless a slice was overruled there and has none.

@@ -129,7 +129,7 @@ Sample RandomHollowBall(Random& random)
 }
 
 /// Planes at random distances, from 0.6 of the greatest one.
-PlaneSets PlanesAtMost(double distance, const Solid& solid, Random& random)
+PlaneSets MaxPlanes(double distance, const Solid& solid, Random& random)
 {
   PlaneSets planes;
   for (int axis = 0; axis < 3; ++axis)
@@ -168,7 +168,7 @@ protected:
       sample.Shape.Low = { -1.3, -1.3, -1.3 };
       sample.Shape.High = { 1.3, 1.3, 1.3 };
       const PlaneSets planes =
-        PlanesAtMost(diagonal * sample.Reach / std::sqrt(3.0), sample.Shape, random);
+        MaxPlanes(diagonal * sample.Reach / std::sqrt(3.0), sample.Shape, random);
       FilterRun run(SliceSolid(sample.Shape, planes, 12, InPlaneGrid::Aligned));
       const SurfaceCheck check = CheckSurface(MeshOf(run.Update()));
       EXPECT_TRUE(run.Errors.empty());

@@ -87,7 +87,7 @@ void VisitSegments(const Pieces& pieces, double plane, Visit&& visit)
 double DistanceToContours(const Pieces& pieces, const Point3& p)
 {
   const double u = p[FirstAxis(pieces.Axis)], v = p[SecondAxis(pieces.Axis)];
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   VisitSegments(pieces, p[pieces.Axis],
     [&](const auto& a, const auto& b)
     {
@@ -95,9 +95,9 @@ double DistanceToContours(const Pieces& pieces, const Point3& p)
       const double length2 = du * du + dv * dv;
       const double along = length2 > 0.0 ? ((u - a[0]) * du + (v - a[1]) * dv) / length2 : 0.0;
       const double t = std::clamp(along, 0.0, 1.0);
-      least = std::min(least, std::hypot(a[0] + t * du - u, a[1] + t * dv - v));
+      minimum = std::min(minimum, std::hypot(a[0] + t * du - u, a[1] + t * dv - v));
     });
-  return least;
+  return minimum;
 }
 
 /// Whether a ray from the point crosses the contours of its plane an odd number of times.

@@ -75,7 +75,7 @@ GraphWriter::GraphWriter(const Reconstruction& result, vtkPolyData* graph)
   this->Length->SetName("Length");
   this->ComponentId->SetName("ComponentId");
   this->RepairSize->SetName("RepairSize");
-  const vtkIdType cells = vtkIdType(result.Graph.Nodes) + result.Lattice.Count() +
+  const vtkIdType cells = vtkIdType(result.Graph.Nodes) + result.Crossings.Count() +
     result.Isolated.Count() + static_cast<vtkIdType>(result.Repairs.size());
   vtkDataArray* arrays[] = { this->Kind, this->Disagreement, this->SliceAxis, this->SlicePlane,
     this->Length, this->ComponentId, this->RepairSize };
@@ -84,7 +84,7 @@ GraphWriter::GraphWriter(const Reconstruction& result, vtkPolyData* graph)
     array->Allocate(cells);
     graph->GetCellData()->AddArray(array);
   }
-  const vtkIdType ids = vtkIdType(result.Graph.Count()) + 2 * vtkIdType(result.Lattice.Count());
+  const vtkIdType ids = vtkIdType(result.Graph.Count()) + 2 * vtkIdType(result.Crossings.Count());
   if (ids < std::numeric_limits<std::int32_t>::max())
   {
     this->Verts->Use32BitStorage();
@@ -92,7 +92,7 @@ GraphWriter::GraphWriter(const Reconstruction& result, vtkPolyData* graph)
   }
   const vtkIdType verts = result.Graph.Nodes + static_cast<vtkIdType>(result.Repairs.size());
   this->Verts->AllocateExact(verts, verts);
-  this->Lines->AllocateExact(result.Lattice.Count() + result.Isolated.Count(),
+  this->Lines->AllocateExact(result.Crossings.Count() + result.Isolated.Count(),
     ids + result.Isolated.Count() + static_cast<vtkIdType>(result.Isolated.Points.size() / 3));
   graph->SetVerts(this->Verts);
   graph->SetLines(this->Lines);
@@ -148,7 +148,7 @@ double GraphWriter::SumLength(vtkIdType count, const vtkIdType* ids) const
 
 void GraphWriter::AddArc(Index arc)
 {
-  const Crossings& crossings = this->Result.Lattice;
+  const GridCrossings& crossings = this->Result.Crossings;
   const NodeGraph& graph = this->Result.Graph;
   const Index start = this->Result.Nodes.NodeOf[arc];
   this->Ids.assign(1, start);
@@ -168,9 +168,9 @@ void GraphWriter::AddArc(Index arc)
 
 void GraphWriter::AddArcs()
 {
-  for (Index arc = 0; arc < this->Result.Lattice.Count(); ++arc)
+  for (Index arc = 0; arc < this->Result.Crossings.Count(); ++arc)
   {
-    if (!this->Result.Lattice.IsRemoved(arc))
+    if (!this->Result.Crossings.IsRemoved(arc))
     {
       this->AddArc(arc);
     }

@@ -156,19 +156,19 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
  */
 std::vector<unsigned char> FindRepairs(const Reconstruction& result, double tolerance)
 {
-  const Cycles& polygons = result.Polygons;
-  std::vector<unsigned char> repairs(polygons.Count(), 0);
+  const CellCycles& cycles = result.Cycles;
+  std::vector<unsigned char> repairs(cycles.Count(), 0);
   const bool any = CountDisagreements(result, tolerance) > 0 || !result.Graph.Redrawn.empty();
-  for (Index i = 0; any && i < polygons.Count(); ++i)
+  for (Index i = 0; any && i < cycles.Count(); ++i)
   {
-    for (Index a = polygons.Offsets[i]; a < polygons.Offsets[i + 1]; ++a)
+    for (Index a = cycles.Offsets[i]; a < cycles.Offsets[i + 1]; ++a)
     {
-      const HalfArc& half = polygons.Arcs[a];
+      const HalfArc& half = cycles.Arcs[a];
       if (result.Graph.IsLoop(half.Arc))
       {
         continue;
       }
-      const Index node = StartNode(result.Lattice, result.Nodes, half);
+      const Index node = StartNode(result.Crossings, result.Nodes, half);
       repairs[i] |= result.Nodes.Disagreement(node) > tolerance ? 1 : 0;
       repairs[i] |= !result.Graph.Redrawn.empty() && result.Graph.Redrawn[half.Arc] != 0 ? 2 : 0;
     }
@@ -187,10 +187,10 @@ std::vector<unsigned char> FindRepairs(const Reconstruction& result, double tole
 std::vector<Index> CountNodePoints(const Reconstruction& result)
 {
   const CycleGeometry geometry = GeometryOf(result);
-  std::vector<Index> sizes(result.Polygons.Count());
-  for (Index i = 0; i < result.Polygons.Count(); ++i)
+  std::vector<Index> sizes(result.Cycles.Count());
+  for (Index i = 0; i < result.Cycles.Count(); ++i)
   {
-    sizes[i] = geometry.IsLoop(i) ? 0 : result.Polygons.Size(i);
+    sizes[i] = geometry.IsLoop(i) ? 0 : result.Cycles.Size(i);
   }
   for (const PatchMesh& mesh : result.Surface.Meshes)
   {
@@ -219,25 +219,25 @@ void AddDisagreement(const Reconstruction& result, vtkIdType points, vtkPointDat
  */
 void FillCellArrays(Reconstruction& result, double reportTolerance, vtkCellData* data)
 {
-  const Cycles& polygons = result.Polygons;
+  const CellCycles& cycles = result.Cycles;
   const CycleGeometry geometry = GeometryOf(result);
-  std::vector<int> components(polygons.Count());
-  for (Index i = 0; i < polygons.Count(); ++i)
+  std::vector<int> components(cycles.Count());
+  for (Index i = 0; i < cycles.Count(); ++i)
   {
     components[i] = result.Graph.Component[geometry.PartOf(i)];
   }
   const std::vector<Index> sizes = CountNodePoints(result);
   const std::vector<unsigned char> repairs = FindRepairs(result, reportTolerance);
-  result.Lattice = Crossings();
+  result.Crossings = GridCrossings();
   result.Nodes = NodePoints();
   result.Graph = NodeGraph();
-  result.Polygons.Arcs = {};
+  result.Cycles.Arcs = {};
   const vtkIdType count = result.Surface.TriangleCount();
   int* component = AddArray<vtkIntArray>(data, "ComponentId", 1, count)->GetPointer(0);
   auto* cell = AddArray<vtkUnsignedShortArray>(data, "GridCell", 3, count)->GetPointer(0);
   auto* size = AddArray<vtkUnsignedShortArray>(data, "PolygonSize", 1, count)->GetPointer(0);
   auto* repair = AddArray<vtkUnsignedCharArray>(data, "Repaired", 1, count)->GetPointer(0);
-  for (Index i = 0; i < polygons.Count(); ++i)
+  for (Index i = 0; i < cycles.Count(); ++i)
   {
     const std::int64_t begin = result.Surface.Offsets[i];
     const std::int64_t end = result.Surface.Offsets[i + 1];
@@ -247,7 +247,7 @@ void FillCellArrays(Reconstruction& result, double reportTolerance, vtkCellData*
       static_cast<unsigned short>(std::min<Index>(sizes[i], VTK_UNSIGNED_SHORT_MAX)));
     for (std::int64_t triangle = begin; triangle < end; ++triangle)
     {
-      std::copy(polygons.Cell[i].begin(), polygons.Cell[i].end(), cell + 3 * triangle);
+      std::copy(cycles.Cell[i].begin(), cycles.Cell[i].end(), cell + 3 * triangle);
     }
   }
 }
@@ -322,7 +322,7 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   Reconstruction result = std::move(consumed);
   const bool withNormals = arrays.Normals || arrays.Curvatures;
   const vtkIdType graphPoints = result.Graph.Count();
-  const vtkIdType allCenters = graphPoints + result.Polygons.Count();
+  const vtkIdType allCenters = graphPoints + result.Cycles.Count();
   std::vector<double> otherPoints = ListOtherPoints(result.Surface);
   const vtkIdType allPoints = allCenters + static_cast<vtkIdType>(otherPoints.size() / 3);
   result.Surface.Inner.Points = {};

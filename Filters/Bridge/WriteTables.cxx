@@ -14,7 +14,7 @@ namespace orthoslices
 {
 void WriteHistogram(const Reconstruction& result, vtkTable* table)
 {
-  const std::vector<Index> histogram = CountPolygonSizes(result.Polygons, result.Graph);
+  const std::vector<Index> histogram = CountPolygonSizes(result.Cycles, result.Graph);
   vtkNew<vtkIdTypeArray> size;
   vtkNew<vtkIdTypeArray> count;
   size->SetName("PolygonSize");

@@ -18,7 +18,7 @@ namespace orthoslices
 {
 CycleGeometry GeometryOf(const Reconstruction& result)
 {
-  return { result.Grid, result.Graph, result.Lattice, result.Nodes, result.Polygons };
+  return { result.Grid, result.Graph, result.Crossings, result.Nodes, result.Cycles };
 }
 
 namespace
@@ -50,7 +50,7 @@ double FindDiagonal(const std::array<Pieces, 3>& pieces)
 /// Whether the slices are cuts of one solid: contours meet to within a small part of a spacing.
 bool DoSlicesAgree(const SpatialGrid& grid, const NodePoints& nodes)
 {
-  constexpr double most = 0.03;
+  constexpr double maximum = 0.03;
   double sum = 0.0;
   for (const double difference : nodes.Difference)
   {
@@ -58,7 +58,7 @@ bool DoSlicesAgree(const SpatialGrid& grid, const NodePoints& nodes)
   }
   const double spacing =
     std::min({ grid.MeanSpacing(0), grid.MeanSpacing(1), grid.MeanSpacing(2) });
-  return sum <= most * most * spacing * spacing * nodes.Count();
+  return sum <= maximum * maximum * spacing * spacing * nodes.Count();
 }
 
 /// Names the share of the work that is done, and asks whether to go on.
@@ -108,16 +108,16 @@ void CountContours(const Contours& contours, Reconstruction& result)
 
 /// Arcs of the given cycles, but for loops.
 std::vector<Index> ArcsOf(
-  const NodeGraph& graph, const Cycles& polygons, const std::vector<Index>& cycles)
+  const NodeGraph& graph, const CellCycles& cycles, const std::vector<Index>& chosen)
 {
   std::vector<Index> arcs;
-  for (const Index cycle : cycles)
+  for (const Index cycle : chosen)
   {
-    for (Index i = polygons.Offsets[cycle]; i < polygons.Offsets[cycle + 1]; ++i)
+    for (Index i = cycles.Offsets[cycle]; i < cycles.Offsets[cycle + 1]; ++i)
     {
-      if (!graph.IsLoop(polygons.Arcs[i].Arc))
+      if (!graph.IsLoop(cycles.Arcs[i].Arc))
       {
-        arcs.push_back(polygons.Arcs[i].Arc);
+        arcs.push_back(cycles.Arcs[i].Arc);
       }
     }
   }
@@ -128,16 +128,16 @@ std::vector<Index> ArcsOf(
 SeparatedPatches ChoosePatches(const Options& options, const std::vector<double>& normals,
   const Execution& execution, Reconstruction& result)
 {
-  constexpr int mostRounds = 16;
+  constexpr int maxRounds = 16;
   const CycleGeometry geometry = GeometryOf(result);
-  result.Cells = GroupByCell(result.Grid, result.Polygons, execution);
+  result.Cells = GroupByCell(result.Grid, result.Cycles, execution);
   KnownPairs known;
   if (options.Several == SeveralCycles::ByEvidence && !result.Graph.Loops.empty())
   {
     known.Pairs = PairLoops(geometry, options.Criterion, options.Known);
-    known.Exclusive = options.Criterion != LoopCriterion::ByEvidence;
+    known.Exclusive = options.Criterion != CorrespondenceCriterion::ByEvidence;
     known.Patches = StitchSlabs(
-      result.Grid, result.Polygons, options.Criterion, known.Pairs, execution, result.Graph);
+      result.Grid, result.Cycles, options.Criterion, known.Pairs, execution, result.Graph);
   }
   result.Surface.CentralPoints = LocateCentralPoints(options.Central, geometry, normals, execution);
   LowerDomes(geometry, result.Cells, normals, result.Surface.CentralPoints);
@@ -151,7 +151,7 @@ SeparatedPatches ChoosePatches(const Options& options, const std::vector<double>
   PatchSeparator separator(
     geometry, result.Cells, result.Surface.CentralPoints, known.Patches, atAnyPrice);
   bool done = false;
-  for (int round = 1; round <= mostRounds && !done; ++round)
+  for (int round = 1; round <= maxRounds && !done; ++round)
   {
     // Others may do instead of joins that have turned out to be impossible.
     if (!result.Joins.empty())
@@ -167,9 +167,9 @@ SeparatedPatches ChoosePatches(const Options& options, const std::vector<double>
 void MeasureTopology(Reconstruction& result)
 {
   const CycleGeometry geometry = GeometryOf(result);
-  DisjointSets parts = ConnectArcs(result.Lattice, result.Nodes, result.Graph);
+  DisjointSets parts = ConnectArcs(result.Crossings, result.Nodes, result.Graph);
   // Two arcs leave each node, and the inside of a disc counts one.
-  Index euler = result.Polygons.Count() - result.Graph.Nodes;
+  Index euler = result.Cycles.Count() - result.Graph.Nodes;
   for (const PatchMesh& mesh : result.Surface.Meshes)
   {
     for (const Index cycle : mesh.Cycles)
@@ -186,7 +186,7 @@ void MeasureTopology(Reconstruction& result)
 std::vector<Index> PatchCells(const Options& options, const std::vector<double>& normals,
   const Execution& execution, Reconstruction& result)
 {
-  result.Polygons = TraceCycles(result.Grid, result.Lattice, result.Nodes, result.Graph);
+  result.Cycles = TraceCycles(result.Grid, result.Crossings, result.Nodes, result.Graph);
   SeparatedPatches separated = ChoosePatches(options, normals, execution, result);
   result.SharedCells = separated.SharedCells;
   result.Surface.Meshes = std::move(separated.Meshes);
@@ -214,7 +214,7 @@ bool LeaveOutThinnest(const std::vector<Index>& cycles, Reconstruction& result)
     {
       const Index contour = contourOf[geometry.LoopOf(cycle)];
       const auto candidate = std::make_pair(ThicknessOf(result.Isolated, contour), contour);
-      const auto at = thinnest.emplace(result.Polygons.Cell[cycle], candidate).first;
+      const auto at = thinnest.emplace(result.Cycles.Cell[cycle], candidate).first;
       at->second = std::min(at->second, candidate);
     }
   }
@@ -229,20 +229,20 @@ bool LeaveOutThinnest(const std::vector<Index>& cycles, Reconstruction& result)
 void MakePatches(const Options& options, std::vector<double>& normals, const Execution& execution,
   Reconstruction& result)
 {
-  constexpr int mostRounds = 3;
+  constexpr int maxRounds = 3;
   const auto embedIsolated = [&]
   {
     EmbedIsolated(result.Grid, result.Nodes, execution,
-      options.LeastIsolatedContour * result.Diagonal, result.Lattice, result.Isolated,
+      options.MinIsolatedContour * result.Diagonal, result.Crossings, result.Isolated,
       result.Graph);
   };
   embedIsolated();
   std::vector<Index> unresolved = PatchCells(options, normals, execution, result);
   // Without small components, others may no longer be connected.
-  Index removed = options.LeastComponent > 0.0 ? 1 : 0;
+  Index removed = options.MinComponent > 0.0 ? 1 : 0;
   while (removed > 0)
   {
-    removed = RemoveSmallComponents(options.LeastComponent * result.Diagonal, result.Lattice,
+    removed = RemoveSmallComponents(options.MinComponent * result.Diagonal, result.Crossings,
       result.Nodes, normals, result.Isolated, result.Graph);
     result.SmallComponents += removed;
     if (removed > 0)
@@ -251,10 +251,10 @@ void MakePatches(const Options& options, std::vector<double>& normals, const Exe
     }
   }
   // Arcs that lie too close together for the precision are drawn anew.
-  for (int round = 1; round < mostRounds && !unresolved.empty(); ++round)
+  for (int round = 1; round < maxRounds && !unresolved.empty(); ++round)
   {
-    Append(EmbedArcs(result.Grid, result.Nodes, execution, result.Lattice, result.Graph,
-             ArcsOf(result.Graph, result.Polygons, unresolved)),
+    Append(EmbedArcs(result.Grid, result.Nodes, execution, result.Crossings, result.Graph,
+             ArcsOf(result.Graph, result.Cycles, unresolved)),
       result.Repairs);
     embedIsolated();
     unresolved = PatchCells(options, normals, execution, result);
@@ -329,29 +329,30 @@ Reconstruction Reconstruct(
   }
   SmoothContours(result.Grid, options.Smoothing, options.Patching.CornerAngle, execution, contours);
   std::vector<IsolatedLoop> isolated;
-  result.Lattice = RegisterCrossings(contours, result.Grid, execution, isolated);
-  EdgeRegister edges = FileOnEdges(result.Lattice);
+  result.Crossings = RegisterCrossings(contours, result.Grid, execution, isolated);
+  EdgeRegister edges = FileOnEdges(result.Crossings);
   if (!GoOn(execution, result, 0.5))
   {
     return result;
   }
   result.Reconciled = ReconcileSlices(
-    result.Grid, result.Lattice, edges, isolated, options.Weights, result.InsideOut ? 1 : 0);
+    result.Grid, result.Crossings, edges, isolated, options.Weights, result.InsideOut ? 1 : 0);
   result.Repairs.swap(result.Reconciled.Repairs);
-  result.Nodes = PairNodePoints(result.Grid, result.Lattice, edges, options.Weights);
+  result.Nodes = PairNodePoints(result.Grid, result.Crossings, edges, options.Weights);
   edges = EdgeRegister();
   result.Graph =
-    BuildNodeGraph(contours, result.Grid, result.Lattice, result.Nodes, tolerance, execution);
+    BuildNodeGraph(contours, result.Grid, result.Crossings, result.Nodes, tolerance, execution);
   std::vector<double> normals =
-    ComputeNodeNormals(contours, result.Grid, result.Lattice, result.Nodes, execution);
+    ComputeNodeNormals(contours, result.Grid, result.Crossings, result.Nodes, execution);
   result.Isolated =
-    CopyIsolated(isolated, contours, result.Lattice, DoSlicesAgree(result.Grid, result.Nodes));
-  result.Agreement = MeasureAgreement(contours, result.Grid, result.Lattice, result.Nodes, normals);
+    CopyIsolated(isolated, contours, result.Crossings, DoSlicesAgree(result.Grid, result.Nodes));
+  result.Agreement =
+    MeasureAgreement(contours, result.Grid, result.Crossings, result.Nodes, normals);
   result.Members = { contours.Axis, contours.Plane, contours.Cell };
-  ThinArcs(options.ContourTolerance * LeastMeanSpacing(result.Grid), result.Lattice, result.Nodes,
+  ThinArcs(options.ContourTolerance * MinMeanSpacing(result.Grid), result.Crossings, result.Nodes,
     execution, result.Graph);
-  Append(
-    EmbedArcs(result.Grid, result.Nodes, execution, result.Lattice, result.Graph), result.Repairs);
+  Append(EmbedArcs(result.Grid, result.Nodes, execution, result.Crossings, result.Graph),
+    result.Repairs);
   contours = Contours();
   if (!GoOn(execution, result, 0.65))
   {
@@ -365,7 +366,7 @@ Reconstruction Reconstruct(
     return result;
   }
   FillPolygons(options, execution, result);
-  LayOutTriangles(result.Graph, result.Polygons, result.Surface);
+  LayOutTriangles(result.Graph, result.Cycles, result.Surface);
   GoOn(execution, result, 0.8);
   return result;
 }

@@ -37,15 +37,16 @@ struct Options
   AxisWeights Weights{ 1.0, 1.0, 1.0 };
   CentralPointMethod Central = CentralPointMethod::LeastSquares;
   SeveralCycles Several = SeveralCycles::ByEvidence;
-  LoopCriterion Criterion = LoopCriterion::ByEvidence; ///< with SeveralCycles::ByEvidence
+  CorrespondenceCriterion Criterion =
+    CorrespondenceCriterion::ByEvidence; ///< with SeveralCycles::ByEvidence
   PriorKnowledge Known;
   PatchOptions Patching;
   double Smoothing = 0.0;        ///< of contours, in mean plane spacings; see SmoothContours
   double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
   /// Smaller ones are left out, by the diagonal of their bounding box as a fraction of that of all
   /// contours.
-  double LeastIsolatedContour = 0.0;
-  double LeastComponent = 0.0;
+  double MinIsolatedContour = 0.0;
+  double MinComponent = 0.0;
 };
 
 /// What the contours of Contours are, without their vertices.
@@ -67,11 +68,11 @@ struct Reconstruction
 
   double Diagonal = 0.0; ///< of the bounding box of all contours
   SpatialGrid Grid;
-  Crossings Lattice;
+  GridCrossings Crossings;
   NodePoints Nodes;
   NodeGraph Graph;
   IsolatedContours Isolated;
-  Cycles Polygons;
+  CellCycles Cycles;
   CellGroups Cells;
   Index SharedCells = 0;        ///< cells with several cycles
   Index DoubtfulCycles = 0;     ///< of cells so narrow that their patches may touch

@@ -48,7 +48,7 @@ const char* const Usage = R"(CompareConvergence [options]
   --solids A,B        only these of torus, ellipsoid, gyroid, metaballs, knot
   --methods A,B       only these of smooth, fan, fan-centroid, coons and the baselines
   --planes N,M        planes on each axis (default 12,16,24,32,48,64)
-  --baselines N       most planes for the baselines (default 32)
+  --baselines N       maximum planes for the baselines (default 32)
   --subdivisions N    parts of a slab in which contours get vertices (default 8)
   --csv FILE          write all figures, too
   --worst N           list the N points of each surface with the greatest errors
@@ -326,12 +326,12 @@ Row Measure(const Settings& settings, const SmoothSolid& solid, const PlaneSets&
 }
 
 /// The negative slope of the line through the logarithms; NaN if there are less than two.
-double FitOrder(const std::vector<Row>& rows, Figure figure, int leastPlanes)
+double FitOrder(const std::vector<Row>& rows, Figure figure, int minPlanes)
 {
   double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   for (const Row& row : rows)
   {
-    if (row.Planes >= leastPlanes && row.Figures[figure] > 0.0)
+    if (row.Planes >= minPlanes && row.Figures[figure] > 0.0)
     {
       const double u = std::log(row.Planes), v = std::log(row.Figures[figure]);
       n += 1.0;

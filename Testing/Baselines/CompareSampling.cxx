@@ -42,7 +42,7 @@ const char* const Usage = R"(CompareSampling [options]
   --data FOLDER    cases: FOLDER/<case>/truth.vtp (default: the folder Data)
   --cases A,B      only these cases (default: all that are cut from one surface)
   --start NUMBER   planes on each axis to start with (default 8)
-  --most NUMBER    planes on each axis, on average, at which to stop (default 48)
+  --maximum NUMBER    planes on each axis, on average, at which to stop (default 48)
   --step NUMBER    proposed planes that are added at a time (default 1)
   --curve          also print components and genus after every step
 )";
@@ -54,7 +54,7 @@ struct Settings
   std::string Folder = ORTHOGONAL_SLICES_DATA_DIR;
   std::vector<std::string> Cases;
   int Start = 8;
-  int Most = 48;
+  int Maximum = 48;
   int Step = 1;
   bool Curve = false;
 };
@@ -129,14 +129,14 @@ public:
   }
 
   /// Adds the planes of the best ranks. Returns how many there were.
-  int AddProposed(int most, Planes& planes)
+  int AddProposed(int maximum, Planes& planes)
   {
     vtkTable* table = this->Filter->GetUndecidedTable();
     std::set<vtkIdType> added;
     for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
     {
       const int rank = table->GetValueByName(row, "PlaneRank").ToInt();
-      if (rank >= 0 && rank < most && added.insert(rank).second)
+      if (rank >= 0 && rank < maximum && added.insert(rank).second)
       {
         planes[table->GetValueByName(row, "PlaneAxis").ToInt()].insert(
           table->GetValueByName(row, "PlaneCoordinate").ToDouble());
@@ -168,7 +168,7 @@ void Propose(const Settings& settings, vtkPolyData* truth, const Topology& known
 {
   Trial trial(truth);
   Planes planes = EqualPlanes(truth, settings.Start);
-  while (Count(planes) <= 3 * settings.Most)
+  while (Count(planes) <= 3 * settings.Maximum)
   {
     const Topology topology = trial.Run(planes);
     Note(planes, topology, outcome);
@@ -189,7 +189,7 @@ void Refine(const Settings& settings, vtkPolyData* truth, const Topology& known,
   int more, Outcome& outcome)
 {
   Trial trial(truth);
-  for (int number = settings.Start; number <= settings.Most; number = factor * number + more)
+  for (int number = settings.Start; number <= settings.Maximum; number = factor * number + more)
   {
     const Planes planes = EqualPlanes(truth, number);
     const Topology topology = trial.Run(planes);
@@ -240,7 +240,7 @@ Settings Parse(int argc, char* argv[])
     else if (option == "--start" || option == "--most" || option == "--step")
     {
       int& number = option == "--start" ? settings.Start
-        : option == "--most"            ? settings.Most
+        : option == "--most"            ? settings.Maximum
                                         : settings.Step;
       number = std::max(1, std::atoi(value.c_str()));
     }

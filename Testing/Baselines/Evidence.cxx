@@ -102,9 +102,9 @@ std::map<Index, std::int64_t> CountPolygonSizes(int planes)
   for (const DataSet& data : AllDataSets())
   {
     const Reconstruction result = Reconstruct(ReadPieceSets(data, planes), Options(), Execution());
-    for (Index i = 0; i < result.Polygons.Count(); ++i)
+    for (Index i = 0; i < result.Cycles.Count(); ++i)
     {
-      const Index size = result.Polygons.Offsets[i + 1] - result.Polygons.Offsets[i];
+      const Index size = result.Cycles.Offsets[i + 1] - result.Cycles.Offsets[i];
       if (size > 1) // a contour without node points is no polygon
       {
         ++counts[size];

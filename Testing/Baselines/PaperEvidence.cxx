@@ -25,7 +25,7 @@ const char* const Usage =
   R"(PaperEvidence [--surfaces FOLDER] [--planes 16|32]
 
 Prints, as Markdown, which of four criteria for parallel slices connects the contours of which
-object rightly, beside the surface from orthogonal slices; and the sizes of the spatial polygons
+object rightly, beside the surface from orthogonal slices; and the sizes of the spatial cycles
 of all data sets in Data.
 
   --surfaces FOLDER  also write every object's surface, z-contours and correspondences as .vtp

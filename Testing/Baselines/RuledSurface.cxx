@@ -61,7 +61,7 @@ Loop Resample(const Loop& loop, int count)
 std::size_t BestRotation(const Loop& a, const Loop& b)
 {
   std::size_t best = 0;
-  double least = std::numeric_limits<double>::max();
+  double minimum = std::numeric_limits<double>::max();
   for (std::size_t shift = 0; shift < b.size(); ++shift)
   {
     double sum = 0.0;
@@ -70,9 +70,9 @@ std::size_t BestRotation(const Loop& a, const Loop& b)
       const Point2& q = b[(i + shift) % b.size()];
       sum += std::pow(q[0] - a[i][0], 2) + std::pow(q[1] - a[i][1], 2);
     }
-    if (sum < least)
+    if (sum < minimum)
     {
-      least = sum;
+      minimum = sum;
       best = shift;
     }
   }

@@ -336,8 +336,8 @@ TEST(DistanceInterpolationMethod, ConcentricCirclesMakeACone)
   EXPECT_GT(MeasureVolume(surface), 0.0);
   for (const double z : { 0.0, 0.5, 1.0 })
   {
-    const auto [least, largest] = RadiiAt(surface, z);
-    EXPECT_NEAR(least, 1.0 + z, 2e-3);
+    const auto [minimum, largest] = RadiiAt(surface, z);
+    EXPECT_NEAR(minimum, 1.0 + z, 2e-3);
     EXPECT_NEAR(largest, 1.0 + z, 2e-3);
   }
 }

@@ -126,8 +126,8 @@ TEST(Evidence, NearlyAllPolygonsHaveTwoToTenNodePoints)
     }
     EXPECT_GE(counts.begin()->first, 2);
     EXPECT_GT(usual, 0.999 * total);
-    const auto most = std::max_element(counts.begin(), counts.end(),
+    const auto maximum = std::max_element(counts.begin(), counts.end(),
       [](const auto& a, const auto& b) { return a.second < b.second; });
-    EXPECT_EQ(most->first, 4);
+    EXPECT_EQ(maximum->first, 4);
   }
 }

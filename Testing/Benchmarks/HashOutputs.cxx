@@ -200,7 +200,8 @@ const std::vector<Setting>& ListSettings()
   return settings;
 }
 
-void Reconstruct(const std::string& name, const Contours& contours, int families,
+void Reconstruct(
+  const std::string& name, const Contours& contours, int families,
   const std::function<void(Filter*)>& apply = [](Filter*) {})
 {
   vtkNew<Filter> filter;
@@ -226,7 +227,7 @@ double SpacingOf(const Contours& contours)
 }
 
 /// Every vertex is moved within its plane by up to a part of a spacing.
-Contours AddNoise(const Contours& contours, double most)
+Contours AddNoise(const Contours& contours, double maximum)
 {
   Contours noisy;
   for (int axis = 0; axis < 3; ++axis)
@@ -245,7 +246,7 @@ Contours AddNoise(const Contours& contours, double most)
       points->GetPoint(i, x);
       for (const int a : { (axis + 1) % 3, (axis + 2) % 3 })
       {
-        x[a] += most * (random() * 0x1p-31 - 1.0);
+        x[a] += maximum * (random() * 0x1p-31 - 1.0);
       }
       points->SetPoint(i, x);
     }
@@ -313,8 +314,8 @@ void TrySlicer(const std::string& name, vtkPolyData* surface)
   vtkNew<vtkImageData> image;
   image->SetDimensions(24, 20, 16);
   image->SetOrigin(bounds[0], bounds[2], bounds[4]);
-  image->SetSpacing((bounds[1] - bounds[0]) / 23.0, (bounds[3] - bounds[2]) / 19.0,
-    (bounds[5] - bounds[4]) / 15.0);
+  image->SetSpacing(
+    (bounds[1] - bounds[0]) / 23.0, (bounds[3] - bounds[2]) / 19.0, (bounds[5] - bounds[4]) / 15.0);
   vtkNew<vtkDoubleArray> values;
   values->SetName("values");
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
@@ -322,7 +323,8 @@ void TrySlicer(const std::string& name, vtkPolyData* surface)
     double x[3];
     image->GetPoint(i, x);
     const double scale = 25.0 / surface->GetLength();
-    values->InsertNextValue(std::sin(scale * x[0]) + std::cos(scale * x[1]) + std::sin(scale * x[2]));
+    values->InsertNextValue(
+      std::sin(scale * x[0]) + std::cos(scale * x[1]) + std::sin(scale * x[2]));
   }
   image->GetPointData()->SetScalars(values);
   vtkNew<vtkOrthogonalSlicer> ofImage;

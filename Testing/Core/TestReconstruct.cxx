@@ -69,7 +69,7 @@ TEST(Reconstruct, RefusesWithTheListOfProblems)
   const std::string text = Octahedron() + "; z=0: 5,5 6,6 6,5 5,6; x=0: 5,5 nan,6 6,6";
   const Reconstruction refused = RunCore(text);
   EXPECT_TRUE(refused.Refused);
-  EXPECT_EQ(refused.Polygons.Count(), 0);
+  EXPECT_EQ(refused.Cycles.Count(), 0);
   EXPECT_EQ(refused.Surface.TriangleCount(), 0);
   ASSERT_EQ(refused.Invalid.size(), 1u);
   EXPECT_EQ(refused.Invalid[0].Kind, ProblemKind::NotFinite);
@@ -86,7 +86,7 @@ TEST(Reconstruct, RefusesWithTheListOfProblems)
     EXPECT_FALSE(kept.Refused);
     EXPECT_EQ(kept.Invalid.size(), 1u);
     EXPECT_EQ(kept.Crossing.size(), 1u);
-    EXPECT_EQ(kept.Polygons.Count(), 8);
+    EXPECT_EQ(kept.Cycles.Count(), 8);
     options.Crossing = CrossingContours::Refuse;
     EXPECT_TRUE(RunCore(text, options).Refused);
   }
@@ -102,7 +102,7 @@ TEST(Reconstruct, PlaneOfLeftOutContoursIsNotEmpty)
   EXPECT_EQ(result.Crossing.size(), 1u);
   EXPECT_EQ(result.Grid.Planes[2], (std::vector<double>{ 0.0 }));
   EXPECT_EQ(result.Reconciled.Vertices, 0);
-  EXPECT_EQ(result.Polygons.Count(), 8);
+  EXPECT_EQ(result.Cycles.Count(), 8);
 }
 
 //----------------------------------------------------------------------------
@@ -156,7 +156,7 @@ TEST(Reconstruct, ToleranceIsRelativeToTheBounds)
 TEST(Reconstruct, OfNothingIsNothing)
 {
   const Reconstruction result = RunCore("");
-  EXPECT_EQ(result.Polygons.Count(), 0);
+  EXPECT_EQ(result.Cycles.Count(), 0);
   EXPECT_TRUE(result.Invalid.empty());
 }
 

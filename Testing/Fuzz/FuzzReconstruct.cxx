@@ -32,8 +32,8 @@ using namespace orthoslices::support;
 
 namespace
 {
-constexpr std::size_t MostPieces = 24;
-constexpr std::size_t MostVertices = 24;
+constexpr std::size_t MaxPieces = 24;
+constexpr std::size_t MaxVertices = 24;
 constexpr int Greatest = 12;
 
 struct Number
@@ -59,14 +59,14 @@ struct FuzzInput
   bool Has(char flag) const { return this->Flags.find(flag) != std::string::npos; }
 };
 
-int ReadDigits(const std::string& text, std::size_t& place, int most)
+int ReadDigits(const std::string& text, std::size_t& place, int maximum)
 {
   const bool negative = place < text.size() && text[place] == '-';
   place += negative ? 1 : 0;
   int value = 0;
   while (place < text.size() && std::isdigit(static_cast<unsigned char>(text[place])))
   {
-    value = std::min(most, 10 * value + (text[place++] - '0'));
+    value = std::min(maximum, 10 * value + (text[place++] - '0'));
   }
   return negative ? -value : value;
 }
@@ -94,7 +94,7 @@ FuzzInput Parse(const std::string& text)
     if (!input.Pieces.empty())
     {
       FuzzPiece& piece = input.Pieces.back();
-      for (std::size_t i = 0; i < numbers.size() && piece.Vertices.size() < MostVertices; ++i)
+      for (std::size_t i = 0; i < numbers.size() && piece.Vertices.size() < MaxVertices; ++i)
       {
         if (i == 0)
         {
@@ -114,7 +114,7 @@ FuzzInput Parse(const std::string& text)
     if (c >= 'x' && c <= 'z')
     {
       finish();
-      if (input.Pieces.size() == MostPieces)
+      if (input.Pieces.size() == MaxPieces)
       {
         break;
       }
@@ -285,7 +285,7 @@ void AddBox(FuzzInput& input, Random& random)
   {
     for (int plane = low[axis]; plane <= high[axis]; ++plane)
     {
-      if (random.Chance(0.4) && input.Pieces.size() < MostPieces)
+      if (random.Chance(0.4) && input.Pieces.size() < MaxPieces)
       {
         input.Pieces.push_back(Rectangle(axis, plane, low, high));
       }
@@ -358,7 +358,7 @@ void Change(FuzzInput& input, Random& random)
   {
     AddBox(input, random);
   }
-  else if (choice == 1 && count < MostPieces)
+  else if (choice == 1 && count < MaxPieces)
   {
     FuzzPiece copy = input.Pieces[random.Below(count)];
     copy.Plane.Whole += static_cast<int>(random.Below(3)) - 1;
@@ -383,15 +383,15 @@ void Change(FuzzInput& input, Random& random)
 }
 
 //--------------------------------------------------------------------------------------------------
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t maximum);
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(
-  std::uint8_t* data, std::size_t size, std::size_t most, unsigned int seed)
+  std::uint8_t* data, std::size_t size, std::size_t maximum, unsigned int seed)
 {
   Random random(seed);
   if (random.Chance(0.1))
   {
-    return LLVMFuzzerMutate(data, size, most);
+    return LLVMFuzzerMutate(data, size, maximum);
   }
   FuzzInput input = Parse(std::string(reinterpret_cast<const char*>(data), size));
   for (std::size_t i = 1 + random.Below(4); i > 0; --i)
@@ -399,7 +399,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(
     Change(input, random);
   }
   const std::string text = Write(input);
-  const std::size_t length = std::min(most, text.size());
+  const std::size_t length = std::min(maximum, text.size());
   std::memcpy(data, text.data(), length);
   return length;
 }

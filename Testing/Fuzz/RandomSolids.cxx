@@ -62,12 +62,12 @@ int main(int argc, char* argv[])
 {
   const std::uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 2000;
   const std::uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0;
-  const double most = argc > 3 ? std::strtod(argv[3], nullptr) : HUGE_VAL;
+  const double maximum = argc > 3 ? std::strtod(argv[3], nullptr) : HUGE_VAL;
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [start]
   { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   std::uint64_t done = 0, failures = 0;
-  for (; done < count && seconds() < most && failures < 20; ++done)
+  for (; done < count && seconds() < maximum && failures < 20; ++done)
   {
     failures += Check(first + done) ? 0 : 1;
     if (done % 1000 == 999)

@@ -51,14 +51,14 @@ Point3 NearestOnSegment(const Point3& p, const Point3& a, const Point3& b)
 Point3 NearestOnCurve(const Point3& p, const std::vector<Point3>& curve, bool closed)
 {
   Point3 nearest = curve[0];
-  double least = HUGE_VAL;
+  double minimum = HUGE_VAL;
   for (std::size_t i = 0; i + (closed ? 0 : 1) < curve.size(); ++i)
   {
     const Point3 q = NearestOnSegment(p, curve[i], curve[(i + 1) % curve.size()]);
     const Point3 d = p - q;
-    if (Dot(d, d) < least)
+    if (Dot(d, d) < minimum)
     {
-      least = Dot(d, d);
+      minimum = Dot(d, d);
       nearest = q;
     }
   }

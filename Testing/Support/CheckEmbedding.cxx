@@ -231,14 +231,14 @@ bool SegmentMeetsTriangle(const Point3& p, int sideP, const Point3& q, int sideQ
     return MeetInPlane(p, q, t);
   }
   // The line through p and q passes the three edges on the same side, or touches them.
-  int least = 1, most = -1;
+  int minimum = 1, maximum = -1;
   for (int i = 0; i < 3; ++i)
   {
     const int side = ExactOrientation(p, q, t[i], t[(i + 1) % 3]);
-    least = std::min(least, side);
-    most = std::max(most, side);
+    minimum = std::min(minimum, side);
+    maximum = std::max(maximum, side);
   }
-  return least >= 0 || most <= 0;
+  return minimum >= 0 || maximum <= 0;
 }
 
 /// Whether the edge from corner i of the first triangle meets the second.
@@ -272,7 +272,7 @@ public:
   {
   }
 
-  std::vector<Meeting> Find(std::size_t most);
+  std::vector<Meeting> Find(std::size_t maximum);
 
 private:
   struct Box
@@ -364,11 +364,11 @@ bool MeetingFinder::Meet(std::int64_t first, std::int64_t second) const
   return EdgeMeets(s, sidesOfS, 1, t) || EdgeMeets(t, sidesOfT, 1, s);
 }
 
-std::vector<Meeting> MeetingFinder::Find(std::size_t most)
+std::vector<Meeting> MeetingFinder::Find(std::size_t maximum)
 {
   std::vector<Meeting> found;
   std::vector<std::uint8_t> flat(this->Mesh.Triangles.size(), 0);
-  for (std::size_t t = 0; t < flat.size() && found.size() < most; ++t)
+  for (std::size_t t = 0; t < flat.size() && found.size() < maximum; ++t)
   {
     const auto id = static_cast<std::int64_t>(t);
     flat[t] = AxisOfSight(this->CornersOf(this->Mesh.Triangles[t])) < 0;
@@ -391,7 +391,7 @@ std::vector<Meeting> MeetingFinder::Find(std::size_t most)
       {
         found.push_back({ a.Triangle, b.Triangle });
       }
-      if (found.size() >= most)
+      if (found.size() >= maximum)
       {
         return found;
       }
@@ -412,9 +412,9 @@ void WriteTriangle(const TriangleMesh& mesh, std::int64_t t, std::ostream& os)
 }
 }
 
-std::vector<Meeting> FindMeetings(const TriangleMesh& mesh, std::size_t most)
+std::vector<Meeting> FindMeetings(const TriangleMesh& mesh, std::size_t maximum)
 {
-  return MeetingFinder(mesh).Find(most);
+  return MeetingFinder(mesh).Find(maximum);
 }
 
 std::string DescribeFlaws(const TriangleMesh& mesh)

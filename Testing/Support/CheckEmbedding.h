@@ -30,7 +30,7 @@ struct Meeting
  * at most `most` of them. Vertices are common if their ids are the same; two ids at one place are two
  * vertices, and meet.
  */
-std::vector<Meeting> FindMeetings(const TriangleMesh& mesh, std::size_t most = 10);
+std::vector<Meeting> FindMeetings(const TriangleMesh& mesh, std::size_t maximum = 10);
 
 /**
  * What is wrong with the surface: edges and vertices (G1 to G3) and triangles that meet (G6), with

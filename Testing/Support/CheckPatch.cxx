@@ -120,10 +120,10 @@ std::string DescribePatchFlaws(const CycleGeometry& geometry, const PatchMesh& p
   {
     flaws << "not connected\n";
   }
-  const auto& cell = geometry.Polygons.Cell[patch.Cycles.front()];
+  const auto& cell = geometry.Cycles.Cell[patch.Cycles.front()];
   for (const Index cycle : patch.Cycles)
   {
-    flaws << (geometry.Polygons.Cell[cycle] == cell ? "" : "cycles of several cells\n");
+    flaws << (geometry.Cycles.Cell[cycle] == cell ? "" : "cycles of several cells\n");
   }
   for (const Point3& p : patch.Points)
   {

@@ -376,15 +376,15 @@ int VoteOfSlices(
 }
 
 SideCheck CheckGridVertices(const TriangleMesh& mesh, const Contours& contours,
-  const SpatialGrid& grid, Orientation orientation, std::size_t most, std::uint64_t seed)
+  const SpatialGrid& grid, Orientation orientation, std::size_t maximum, std::uint64_t seed)
 {
   const int background = orientation == Orientation::AsDrawn && SignedArea(contours) < 0.0 ? 1 : 0;
   SideCheck check;
   Random random(seed);
   const std::size_t all = grid.Planes[0].size() * grid.Planes[1].size() * grid.Planes[2].size();
-  for (std::size_t i = 0; i < std::min(all, most); ++i)
+  for (std::size_t i = 0; i < std::min(all, maximum); ++i)
   {
-    std::size_t number = all <= most ? i : random.Below(all);
+    std::size_t number = all <= maximum ? i : random.Below(all);
     std::array<Index, 3> at;
     Point3 point;
     for (int axis = 0; axis < 3; ++axis)
@@ -419,7 +419,7 @@ TriangleMesh MeshOf(const Reconstruction& result)
       mesh.Points.push_back({ (*xyz)[i], (*xyz)[i + 1], (*xyz)[i + 2] });
     }
   }
-  if (result.Polygons.Count() == 0)
+  if (result.Cycles.Count() == 0)
   {
     return mesh;
   }

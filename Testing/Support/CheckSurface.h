@@ -89,7 +89,7 @@ struct SideCheck
  * bound the outside.
  */
 SideCheck CheckGridVertices(const TriangleMesh& mesh, const Contours& contours,
-  const SpatialGrid& grid, Orientation orientation, std::size_t most, std::uint64_t seed);
+  const SpatialGrid& grid, Orientation orientation, std::size_t maximum, std::uint64_t seed);
 
 /**
  * Pairs of triangles of which one has a side that certainly passes through the inside of the other:

@@ -49,7 +49,7 @@ private:
   const Pieces& Source;
   Random Numbers{ 12345 };
   vtkNew<vtkPoints> Points;
-  std::vector<Ids> Lines, Polygons;
+  std::vector<Ids> Lines, Cycles;
   bool Shuffles = false;
 };
 
@@ -94,7 +94,7 @@ void PolyDataWriter::AddPiece(Index piece, Form form)
   switch (form)
   {
     case Form::Polygon:
-      this->Polygons.push_back(ids);
+      this->Cycles.push_back(ids);
       return;
     case Form::ClosedLine:
       ids.push_back(ids.front());
@@ -120,19 +120,19 @@ vtkSmartPointer<vtkPolyData> PolyDataWriter::Finish()
   {
     this->Numbers.Shuffle(this->Lines);
   }
-  vtkNew<vtkCellArray> lines, polygons;
+  vtkNew<vtkCellArray> lines, cycles;
   for (const Ids& ids : this->Lines)
   {
     lines->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
   }
-  for (const Ids& ids : this->Polygons)
+  for (const Ids& ids : this->Cycles)
   {
-    polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    cycles->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(this->Points);
   data->SetLines(lines);
-  data->SetPolys(polygons);
+  data->SetPolys(cycles);
   return data;
 }
 

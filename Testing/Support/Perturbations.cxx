@@ -80,25 +80,25 @@ void ForEachSlice(PieceSets& sets, std::uint64_t seed, Change&& change)
 }
 }
 
-void MoveVertices(PieceSets& sets, double most, std::uint64_t seed)
+void MoveVertices(PieceSets& sets, double maximum, std::uint64_t seed)
 {
   Random random(seed);
   for (Pieces& pieces : sets)
   {
     for (std::size_t i = 0; i < pieces.U.size(); ++i)
     {
-      pieces.U[i] += random.Uniform(-most, most);
-      pieces.V[i] += random.Uniform(-most, most);
+      pieces.U[i] += random.Uniform(-maximum, maximum);
+      pieces.V[i] += random.Uniform(-maximum, maximum);
     }
   }
 }
 
-void BendSlices(PieceSets& sets, double most, double wave, std::uint64_t seed)
+void BendSlices(PieceSets& sets, double maximum, double wave, std::uint64_t seed)
 {
   ForEachSlice(sets, seed,
     [&](Pieces& pieces, const std::vector<Index>& vertices, Random& random)
     {
-      const double a = random.Uniform(-most, most), b = random.Uniform(-most, most);
+      const double a = random.Uniform(-maximum, maximum), b = random.Uniform(-maximum, maximum);
       const double p = random.Uniform(0.0, 2.0 * Pi), q = random.Uniform(0.0, 2.0 * Pi);
       for (const Index i : vertices)
       {
@@ -108,12 +108,12 @@ void BendSlices(PieceSets& sets, double most, double wave, std::uint64_t seed)
     });
 }
 
-void MoveSlices(PieceSets& sets, double most, std::uint64_t seed)
+void MoveSlices(PieceSets& sets, double maximum, std::uint64_t seed)
 {
   ForEachSlice(sets, seed,
     [&](Pieces& pieces, const std::vector<Index>& vertices, Random& random)
     {
-      const double u = random.Uniform(-most, most), v = random.Uniform(-most, most);
+      const double u = random.Uniform(-maximum, maximum), v = random.Uniform(-maximum, maximum);
       for (const Index i : vertices)
       {
         pieces.U[i] += u;
@@ -122,12 +122,12 @@ void MoveSlices(PieceSets& sets, double most, std::uint64_t seed)
     });
 }
 
-void ShiftPlanes(PieceSets& sets, double most, std::uint64_t seed)
+void ShiftPlanes(PieceSets& sets, double maximum, std::uint64_t seed)
 {
   ForEachSlice(sets, seed,
     [&](Pieces& pieces, const std::vector<Index>& vertices, Random& random)
     {
-      const double w = random.Uniform(-most, most);
+      const double w = random.Uniform(-maximum, maximum);
       for (const Index i : vertices)
       {
         pieces.W[i] += w;

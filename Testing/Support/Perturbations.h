@@ -18,19 +18,19 @@ namespace support
 {
 
 /// Moves every vertex within its plane by up to `most` along each axis. Contours may cross then.
-void MoveVertices(PieceSets& sets, double most, std::uint64_t seed);
+void MoveVertices(PieceSets& sets, double maximum, std::uint64_t seed);
 
 /**
  * Bends every slice in its own way by up to `most` along each axis, in waves of length `wave`. As
  * two shears follow each other, whole curves never cross themselves or each other by it.
  */
-void BendSlices(PieceSets& sets, double most, double wave, std::uint64_t seed);
+void BendSlices(PieceSets& sets, double maximum, double wave, std::uint64_t seed);
 
 /// Moves whole slices within their planes, like a patient who moved between them.
-void MoveSlices(PieceSets& sets, double most, std::uint64_t seed);
+void MoveSlices(PieceSets& sets, double maximum, std::uint64_t seed);
 
 /// Moves whole planes along their axis.
-void ShiftPlanes(PieceSets& sets, double most, std::uint64_t seed);
+void ShiftPlanes(PieceSets& sets, double maximum, std::uint64_t seed);
 
 /// Turns each set within its planes around the origin.
 void RotateSets(PieceSets& sets, double degrees);

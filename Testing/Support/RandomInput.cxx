@@ -23,18 +23,18 @@ PieceSets RandomSlices(std::uint64_t seed, InPlaneGrid grid)
   Random random(seed);
   const Solid solid = RandomSolid(seed);
   PieceSets sets;
-  int least = 3;
+  int minimum = 3;
   do
   {
     std::array<int, 3> count;
     for (int& n : count)
     {
-      n = least + static_cast<int>(random.Below(10));
+      n = minimum + static_cast<int>(random.Below(10));
     }
     const PlaneSets planes =
       random.Chance(0.5) ? EqualPlanes(solid, count) : RandomPlanes(solid, count, seed);
     sets = SliceSolid(solid, planes, 2 + static_cast<int>(random.Below(3)), grid);
-    least += 4; // a small solid between few planes is cut by none
+    minimum += 4; // a small solid between few planes is cut by none
   } while (sets[0].Count() == 0 || sets[1].Count() == 0 || sets[2].Count() == 0);
   return sets;
 }
@@ -193,8 +193,8 @@ Input RandomSparseInput(std::uint64_t seed)
   input.Settings.RefuseInvalid = false;
   input.Settings.Known.Components = random.Chance(0.5) ? static_cast<Index>(random.Below(4)) : 0;
   input.Settings.Known.Genus = random.Chance(0.5) ? static_cast<Index>(random.Below(4)) : -1;
-  input.Settings.LeastComponent = random.Chance(0.1) ? random.Uniform(0.0, 0.3) : 0.0;
-  input.Settings.LeastIsolatedContour = random.Chance(0.1) ? random.Uniform(0.0, 0.1) : 0.0;
+  input.Settings.MinComponent = random.Chance(0.1) ? random.Uniform(0.0, 0.3) : 0.0;
+  input.Settings.MinIsolatedContour = random.Chance(0.1) ? random.Uniform(0.0, 0.1) : 0.0;
   if (random.Chance(0.2))
   {
     MoveSlices(input.Sets, random.Uniform(0.0, 0.3) * spacing, random.Bits());

@@ -39,12 +39,12 @@ struct Stages
 
   GridEdge EdgeOf(Index crossing) const
   {
-    return GridEdgeCode(this->Grid).Decode(this->Lattice.Edge[crossing]);
+    return GridEdgeCode(this->Grid).Decode(this->Crossings.Edge[crossing]);
   }
 
   CycleGeometry Geometry() const
   {
-    return { this->Grid, this->Graph, this->Lattice, this->Nodes, this->Polygons };
+    return { this->Grid, this->Graph, this->Crossings, this->Nodes, this->Cycles };
   }
 
   static constexpr double Tolerance = 1e-9;
@@ -52,36 +52,36 @@ struct Stages
   Contours Set;
   SpatialGrid Grid;
   std::vector<IsolatedLoop> Isolated;
-  Crossings Registered; ///< before reconciliation
-  Crossings Lattice;
+  GridCrossings Registered; ///< before reconciliation
+  GridCrossings Crossings;
   EdgeRegister Edges;
   Reconciliation Reconciled;
   NodePoints Nodes;
   NodeGraph Graph;
   std::vector<Repair> Redrawn; ///< faces
-  Cycles Polygons;
+  CellCycles Cycles;
 
 private:
   void Run(bool shells = false)
   {
     const Execution execution;
     this->Registered = RegisterCrossings(this->Set, this->Grid, execution, this->Isolated);
-    this->Lattice = this->Registered;
-    this->Edges = FileOnEdges(this->Lattice);
-    this->Reconciled = ReconcileSlices(this->Grid, this->Lattice, this->Edges, this->Isolated);
-    this->Nodes = PairNodePoints(this->Grid, this->Lattice, this->Edges);
+    this->Crossings = this->Registered;
+    this->Edges = FileOnEdges(this->Crossings);
+    this->Reconciled = ReconcileSlices(this->Grid, this->Crossings, this->Edges, this->Isolated);
+    this->Nodes = PairNodePoints(this->Grid, this->Crossings, this->Edges);
     this->Graph =
-      BuildNodeGraph(this->Set, this->Grid, this->Lattice, this->Nodes, Tolerance, execution);
+      BuildNodeGraph(this->Set, this->Grid, this->Crossings, this->Nodes, Tolerance, execution);
     std::vector<Index> forced;
-    for (Index arc = 0; shells && arc < this->Lattice.Count(); ++arc)
+    for (Index arc = 0; shells && arc < this->Crossings.Count(); ++arc)
     {
       forced.push_back(arc);
     }
     this->Redrawn =
-      EmbedArcs(this->Grid, this->Nodes, execution, this->Lattice, this->Graph, forced);
-    DisjointSets parts = ConnectArcs(this->Lattice, this->Nodes, this->Graph);
+      EmbedArcs(this->Grid, this->Nodes, execution, this->Crossings, this->Graph, forced);
+    DisjointSets parts = ConnectArcs(this->Crossings, this->Nodes, this->Graph);
     FindComponents(parts, this->Graph);
-    this->Polygons = TraceCycles(this->Grid, this->Lattice, this->Nodes, this->Graph);
+    this->Cycles = TraceCycles(this->Grid, this->Crossings, this->Nodes, this->Graph);
   }
 };
 

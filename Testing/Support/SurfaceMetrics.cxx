@@ -490,9 +490,9 @@ double AngleDegrees(const Vector3& a, const Vector3& b)
 
 //------------------------------------------------------------------------------
 // Distances of all points of FROM, the largest of them.
-double LargestVertexDistance(const Mesh& from, const NearestTriangle& nearest, std::int64_t most)
+double LargestVertexDistance(const Mesh& from, const NearestTriangle& nearest, std::int64_t maximum)
 {
-  const std::size_t step = 1 + from.Points.size() / static_cast<std::size_t>(most);
+  const std::size_t step = 1 + from.Points.size() / static_cast<std::size_t>(maximum);
   std::vector<double> distances((from.Points.size() + step - 1) / step);
   vtkSMPTools::For(0, static_cast<vtkIdType>(distances.size()),
     [&](vtkIdType begin, vtkIdType end)

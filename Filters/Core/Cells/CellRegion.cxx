@@ -55,16 +55,16 @@ std::vector<CellRegion> CellRegions::Find(const Index* first, const Index* last)
 
 void CellRegions::AddNode(Index cycle, const HalfArc& half, CellRegion& region) const
 {
-  const auto& cell = this->Geometry.Polygons.Cell[cycle];
-  const Index node = StartNode(this->Geometry.Lattice, this->Geometry.Nodes, half);
+  const auto& cell = this->Geometry.Cycles.Cell[cycle];
+  const Index node = StartNode(this->Geometry.Crossings, this->Geometry.Nodes, half);
   const GridEdge at =
-    this->Code.Decode(this->Geometry.Lattice.Edge[this->Geometry.Nodes.First[node]]);
+    this->Code.Decode(this->Geometry.Crossings.Edge[this->Geometry.Nodes.First[node]]);
   const int t = at.Direction;
   const int edge =
     EdgeOfCell(t, at.First == cell[FirstAxis(t)] ? 1 : 0, at.Second == cell[SecondAxis(t)] ? 1 : 0);
-  const GridEdge start = this->Code.Decode(this->Geometry.Lattice.Edge[half.Arc]);
-  const int axis = this->Geometry.Lattice.Family[half.Arc] == 0 ? FirstAxis(start.Direction)
-                                                                : SecondAxis(start.Direction);
+  const GridEdge start = this->Code.Decode(this->Geometry.Crossings.Edge[half.Arc]);
+  const int axis = this->Geometry.Crossings.Family[half.Arc] == 0 ? FirstAxis(start.Direction)
+                                                                  : SecondAxis(start.Direction);
   // The cell above a slice has it as its lower face.
   region.Nodes.push_back({ node, edge, 2 * axis + (half.Above ? 0 : 1), 0, 0, 0, true });
 }
@@ -83,11 +83,11 @@ CellRegion CellRegions::Describe(Index cycle) const
       region.BorderOffsets.back(), true });
     return region;
   }
-  const Cycles& polygons = this->Geometry.Polygons;
-  const Index count = polygons.Size(cycle);
+  const CellCycles& cycles = this->Geometry.Cycles;
+  const Index count = cycles.Size(cycle);
   for (Index i = 0; i < count; ++i)
   {
-    this->AddNode(cycle, polygons.Arcs[polygons.Offsets[cycle] + i], region);
+    this->AddNode(cycle, cycles.Arcs[cycles.Offsets[cycle] + i], region);
     region.Nodes.back().Place = places[i];
     region.Nodes.back().Next = (i + 1) % count;
     region.Nodes.back().Previous = (i + count - 1) % count;
@@ -105,7 +105,7 @@ void CellRegions::SetExtent(const std::vector<CellRegion>& regions)
       box.Add(this->Geometry.Graph.PointAt(point));
     }
   }
-  const auto& cell = this->Geometry.Polygons.Cell[regions.front().Cycles.front()];
+  const auto& cell = this->Geometry.Cycles.Cell[regions.front().Cycles.front()];
   for (int axis = 0; axis < 3; ++axis)
   {
     this->Geometry.Grid.GetExtent(

@@ -59,7 +59,7 @@ private:
   void FindHeights();
 
   PatchMesh BuildShell(const ShellGroup& group, double depth) const;
-  PatchMesh BuildSmallest(const ShellGroup& group, double least, double most) const;
+  PatchMesh BuildSmallest(const ShellGroup& group, double minimum, double maximum) const;
   void AddWalls(const CellRegion& region, PatchMesh& shell) const;
   void AddFace(const CellRegion& region, int face, PatchMesh& shell) const;
   Point3 Inward(const Point3& point, double depth) const;
@@ -126,7 +126,7 @@ void CellShells::MoveRoot(Index cycle)
 
 void CellShells::ChooseRoot()
 {
-  Index most = this->CountPossible();
+  Index maximum = this->CountPossible();
   std::vector<CellRegion> best = this->OfCycle;
   const std::vector<CellRegion> before = this->OfCycle;
   Index wanted = 0;
@@ -136,14 +136,14 @@ void CellShells::ChooseRoot()
   }
   for (const std::vector<Index>& cycles : this->Wanted)
   {
-    for (std::size_t i = 0; i < cycles.size() && cycles.size() > 1 && most < wanted; ++i)
+    for (std::size_t i = 0; i < cycles.size() && cycles.size() > 1 && maximum < wanted; ++i)
     {
       this->OfCycle = before;
       this->MoveRoot(cycles[i]);
       const Index count = this->CountPossible();
-      if (count > most)
+      if (count > maximum)
       {
-        most = count;
+        maximum = count;
         best = this->OfCycle;
       }
     }
@@ -328,17 +328,17 @@ double AreaOf(const CycleGeometry& geometry, const CellRegion& region, const Pat
   return area;
 }
 
-PatchMesh CellShells::BuildSmallest(const ShellGroup& group, double least, double most) const
+PatchMesh CellShells::BuildSmallest(const ShellGroup& group, double minimum, double maximum) const
 {
   PatchMesh best;
-  double leastArea = std::numeric_limits<double>::infinity();
+  double minArea = std::numeric_limits<double>::infinity();
   for (const double part : TriedDepths)
   {
-    PatchMesh shell = this->BuildShell(group, least + part * (most - least));
+    PatchMesh shell = this->BuildShell(group, minimum + part * (maximum - minimum));
     const double area = AreaOf(this->Geometry, group.Region, shell);
-    if (area < leastArea)
+    if (area < minArea)
     {
-      leastArea = area;
+      minArea = area;
       best = std::move(shell);
     }
   }
@@ -358,7 +358,7 @@ std::vector<PatchMesh> CellShells::Run()
   std::vector<PatchMesh> shells;
   for (const ShellGroup& group : this->Groups)
   {
-    const double most = DeepestDisc * group.Height / highest;
+    const double maximum = DeepestDisc * group.Height / highest;
     if (!group.Possible)
     {
       shells.emplace_back();
@@ -367,12 +367,13 @@ std::vector<PatchMesh> CellShells::Run()
     }
     if (group.Region.Cycles.size() == 1)
     {
-      shells.push_back(this->BuildShell(group, most));
+      shells.push_back(this->BuildShell(group, maximum));
     }
     else
     {
-      const double least = DeepestDisc * (group.Height - 1) / highest;
-      shells.push_back(this->BuildSmallest(group, least, group.IsContained ? most : DeepestWaist));
+      const double minimum = DeepestDisc * (group.Height - 1) / highest;
+      shells.push_back(
+        this->BuildSmallest(group, minimum, group.IsContained ? maximum : DeepestWaist));
     }
     Compact(shells.back());
   }

@@ -52,8 +52,8 @@ private:
 
 Chooser::Chooser(const CycleGeometry& geometry, std::vector<CycleJoin>& joins)
   : Geometry(geometry)
-  , Parts(ConnectArcs(geometry.Lattice, geometry.Nodes, geometry.Graph))
-  , InCell(geometry.Polygons.Count())
+  , Parts(ConnectArcs(geometry.Crossings, geometry.Nodes, geometry.Graph))
+  , InCell(geometry.Cycles.Count())
 {
   const Index nodes = geometry.Graph.Nodes;
   const Index loops = static_cast<Index>(geometry.Graph.Loops.size());
@@ -74,7 +74,7 @@ Chooser::Chooser(const CycleGeometry& geometry, std::vector<CycleJoin>& joins)
   }
   this->Size = this->Components > 0 ? all.Diagonal() : 0.0;
   // Two arcs leave each node; a loop with its one vertex and one edge counts nothing.
-  this->Euler = geometry.Polygons.Count() - nodes;
+  this->Euler = geometry.Cycles.Count() - nodes;
   for (CycleJoin& join : joins)
   {
     join.Chosen = false;

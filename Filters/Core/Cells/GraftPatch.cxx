@@ -16,7 +16,7 @@ constexpr double RingShare = 0.5;
 /// So low that arches between points of one face stay below the rest of the tube.
 constexpr double ArchHeight = 0.05;
 /// Pairs of triangles and points of a border up to which all distances are measured.
-constexpr std::size_t MostPairs = std::size_t(1) << 22;
+constexpr std::size_t MaxPairs = std::size_t(1) << 22;
 /// So many triangles are left out from one attempt to the next but one.
 constexpr std::size_t RankStep = 4;
 
@@ -131,12 +131,12 @@ TubeEnd Grafter::CycleAsEnd(std::size_t cycle) const
 /// How far a point is from a curve, at each step-th of its points.
 double SquaredDistanceTo(const PatchCurve& curve, const Point3& point, std::size_t step)
 {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < curve.Points.size(); i += step)
   {
-    least = std::min(least, SquaredDistance(point, curve.Points[i]));
+    minimum = std::min(minimum, SquaredDistance(point, curve.Points[i]));
   }
-  return least;
+  return minimum;
 }
 
 /// The triangles of a part, the best to be cut out first: near the goal and facing it. If the goal
@@ -144,7 +144,7 @@ double SquaredDistanceTo(const PatchCurve& curve, const Point3& point, std::size
 std::vector<std::size_t> Grafter::RankTriangles(
   const PatchTriangles& triangles, const TubeEnd& goal, bool goalIsFixed) const
 {
-  const std::size_t step = 1 + triangles.size() * goal.Curve.Points.size() / MostPairs;
+  const std::size_t step = 1 + triangles.size() * goal.Curve.Points.size() / MaxPairs;
   std::vector<std::pair<double, std::size_t>> costs;
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {

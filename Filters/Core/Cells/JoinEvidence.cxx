@@ -21,11 +21,11 @@ constexpr double OfDisagreement = -8.0;
 /// Cycles that are much wider than their distance are parallel sheets: evidence for each part of
 /// the sum of their radii that is missing to this one.
 constexpr double OfCloseness = -4.0;
-constexpr double LeastDistance = 0.45;
+constexpr double MinDistance = 0.45;
 /// A cycle around a tip that a slice just touches is no end of a wide one: evidence for each part of
 /// the wider radius that the other one lacks to this share.
 constexpr double OfUnequalRadii = -8.0;
-constexpr double LeastRadius = 0.25;
+constexpr double MinRadius = 0.25;
 /// Of loops of which a criterion for parallel slices says that they belong together.
 constexpr double CertainEvidence = 3.0;
 /// Loops on one face are rather neighbours than ends of one tube: evidence, and by how many steps
@@ -35,7 +35,7 @@ constexpr double OnOneFace = 2.0;
 /// Evidence for the best way of an isolated contour to go on, if there is no distance to bridge.
 constexpr double ForContinuation = 1.5;
 /// Points of a loop at which its distance to a patch is measured.
-constexpr Index MostSamples = 16;
+constexpr Index MaxSamples = 16;
 
 /// Squared distance of a point to a triangle (C. Ericson, "Real-Time Collision Detection", 5.1.5).
 double SquaredDistance(const Point3& p, const Point3& a, const Point3& b, const Point3& c)
@@ -250,20 +250,20 @@ CycleShape CellJoins::Describe(Index cycle)
 double CellJoins::DistanceTo(const CycleShape& loop, const CycleShape& patch) const
 {
   const Index count = static_cast<Index>(loop.Border.size());
-  const Index samples = std::min(count, MostSamples);
+  const Index samples = std::min(count, MaxSamples);
   double sum = 0.0;
   for (Index s = 0; s < samples; ++s)
   {
     const Point3& p =
       loop.Border[static_cast<std::size_t>(static_cast<std::int64_t>(s) * count / samples)];
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < patch.Border.size(); ++i)
     {
-      least = std::min(least,
+      minimum = std::min(minimum,
         SquaredDistance(
           p, patch.Apex, patch.Border[i], patch.Border[(i + 1) % patch.Border.size()]));
     }
-    sum += std::sqrt(least);
+    sum += std::sqrt(minimum);
   }
   return sum / (samples * this->Step);
 }
@@ -307,12 +307,12 @@ bool CellJoins::Compare(const CycleShape& a, const CycleShape& b, Candidate& can
   const double radii = a.Radius + b.Radius;
   if (radii > 0.0)
   {
-    candidate.Join.Evidence += OfCloseness * std::max(0.0, LeastDistance - Length(line) / radii);
+    candidate.Join.Evidence += OfCloseness * std::max(0.0, MinDistance - Length(line) / radii);
     if (!a.Loop && !b.Loop)
     {
       const auto range = std::minmax(a.Radius, b.Radius);
       candidate.Join.Evidence +=
-        OfUnequalRadii * std::max(0.0, LeastRadius - range.first / range.second);
+        OfUnequalRadii * std::max(0.0, MinRadius - range.first / range.second);
     }
   }
   double penalty = 0.0;
@@ -352,7 +352,7 @@ bool CellJoins::IsExcluded(const CycleShape& a, const CycleShape& b) const
 
 std::vector<Candidate> CellJoins::Find(const Index* first, const Index* last)
 {
-  this->FindSteps(this->Geometry.Polygons.Cell[*first]);
+  this->FindSteps(this->Geometry.Cycles.Cell[*first]);
   std::vector<CycleShape> shapes;
   for (const Index* cycle = first; cycle != last; ++cycle)
   {
@@ -410,7 +410,7 @@ void RateContinuations(const CycleGeometry& geometry, std::vector<Candidate>& ca
     double Distance = std::numeric_limits<double>::infinity();
     Candidate* At = nullptr;
   };
-  std::vector<Best> best(geometry.Polygons.Count());
+  std::vector<Best> best(geometry.Cycles.Count());
   for (Candidate& candidate : candidates)
   {
     const std::array<Index, 2> cycles{ candidate.Join.First, candidate.Join.Second };
@@ -442,7 +442,7 @@ std::vector<CycleJoin> FindJoins(const CycleGeometry& geometry, const CellGroups
   const std::vector<double>& nodeNormals, const std::vector<double>& centralPoints,
   const KnownPairs& known, const Execution& execution)
 {
-  std::vector<Index> patchOf(geometry.Polygons.Count(), -1);
+  std::vector<Index> patchOf(geometry.Cycles.Count(), -1);
   for (std::size_t patch = 0; patch < known.Patches.size(); ++patch)
   {
     for (const Index cycle : known.Patches[patch].Cycles)

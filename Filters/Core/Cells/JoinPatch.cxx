@@ -40,13 +40,13 @@ void Bridge(const PatchCurve& other, const PatchCurve& goal, PatchCurve& curve, 
   const PointPair nearest = FindNearestOnBorders(curve, other);
   const Point3 middle = Between(curve.Points[nearest.First], other.Points[nearest.Second], 0.5);
   Point3 target = middle;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const Point3& point : goal.Points)
   {
     const double distance2 = SquaredDistance(middle, point);
-    if (distance2 < least)
+    if (distance2 < minimum)
     {
-      least = distance2;
+      minimum = distance2;
       target = point;
     }
   }
@@ -81,12 +81,12 @@ void BridgeAll(const PatchCurve& goal, std::vector<PatchCurve>& curves, TubePatc
   while (curves.size() > 1)
   {
     std::size_t next = 1;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t k = 1; k < curves.size(); ++k)
     {
       const double distance2 = FindNearestOnBorders(curves.front(), curves[k]).Distance2;
-      next = distance2 < least ? k : next;
-      least = std::min(least, distance2);
+      next = distance2 < minimum ? k : next;
+      minimum = std::min(minimum, distance2);
     }
     const PatchCurve other = curves[next];
     Bridge(other, goal, curves.front(), patch);

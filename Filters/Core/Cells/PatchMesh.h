@@ -42,13 +42,13 @@ struct CycleGeometry
 {
   const SpatialGrid& Grid;
   const NodeGraph& Graph;
-  const Crossings& Lattice;
+  const GridCrossings& Crossings;
   const NodePoints& Nodes;
-  const Cycles& Polygons;
+  const CellCycles& Cycles;
 
   const HalfArc& FirstArc(Index cycle) const
   {
-    return this->Polygons.Arcs[this->Polygons.Offsets[cycle]];
+    return this->Cycles.Arcs[this->Cycles.Offsets[cycle]];
   }
   bool IsLoop(Index cycle) const { return this->Graph.IsLoop(this->FirstArc(cycle).Arc); }
   /// The loop of a cycle that has no node points.
@@ -57,13 +57,13 @@ struct CycleGeometry
   Index PartOf(Index cycle) const
   {
     return this->IsLoop(cycle) ? this->Graph.Nodes + this->LoopOf(cycle)
-                               : StartNode(this->Lattice, this->Nodes, this->FirstArc(cycle));
+                               : StartNode(this->Crossings, this->Nodes, this->FirstArc(cycle));
   }
   /// See orthoslices::GetBoundary.
   void GetBoundary(Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces) const
   {
     orthoslices::GetBoundary(
-      this->Graph, this->Lattice, this->Nodes, this->Polygons, cycle, points, nodePlaces);
+      this->Graph, this->Crossings, this->Nodes, this->Cycles, cycle, points, nodePlaces);
   }
   /// The borders of several cycles, one after another.
   std::vector<Index> GetBorders(const std::vector<Index>& cycles) const;

@@ -639,18 +639,18 @@ PatchSeparator::~PatchSeparator() = default;
 /// The joins of the cells are in the same order as these.
 void PatchSeparator::ListCells(const std::vector<CycleJoin>& joins)
 {
-  const Cycles& polygons = this->Geometry.Polygons;
+  const CellCycles& cycles = this->Geometry.Cycles;
   std::size_t next = 0;
   for (const auto& range : this->Groups.Several)
   {
-    const Index* cycles = this->Groups.Cycles.data();
-    const auto& cell = polygons.Cell[cycles[range.first]];
+    const Index* inOrder = this->Groups.Cycles.data();
+    const auto& cell = cycles.Cell[inOrder[range.first]];
     const std::size_t firstJoin = next;
-    while (next < joins.size() && polygons.Cell[joins[next].First] == cell)
+    while (next < joins.size() && cycles.Cell[joins[next].First] == cell)
     {
       ++next;
     }
-    this->Cells.emplace_back(cycles + range.first, cycles + range.second, firstJoin, next);
+    this->Cells.emplace_back(inOrder + range.first, inOrder + range.second, firstJoin, next);
   }
 }
 

@@ -16,7 +16,7 @@ constexpr double InnerMargin = 1e-3;
 /// Of an arch, as a part of the cell's width.
 constexpr double HighestArch = 0.5;
 /// Pairs of points up to which curves are compared point by point.
-constexpr std::size_t MostPairs = std::size_t(1) << 24;
+constexpr std::size_t MaxPairs = std::size_t(1) << 24;
 
 /// Pairs by the share of the length from a common start, for curves of very many points.
 std::vector<PointPair> PairByLength(
@@ -66,7 +66,7 @@ std::vector<PointPair> PairPoints(const PatchCurve& a, const PatchCurve& b)
   }
   const std::size_t n = a.Count();
   const std::size_t m = b.Count();
-  if ((n + 1) * (m + 1) > MostPairs)
+  if ((n + 1) * (m + 1) > MaxPairs)
   {
     return PairByLength(a, b, start);
   }
@@ -142,7 +142,7 @@ PointPair FindNearestOnBorders(const PatchCurve& a, const PatchCurve& b)
 
 TubePatch::TubePatch(const CycleGeometry& geometry, const std::vector<Index>& cycles)
   : Geometry(geometry)
-  , Cell(geometry.Polygons.Cell[cycles.front()])
+  , Cell(geometry.Cycles.Cell[cycles.front()])
 {
   this->Mesh.Kind = PatchKind::Joined;
   this->Mesh.Cycles = cycles;
@@ -192,18 +192,18 @@ Point3 TubePatch::Arch(const Point3& from, const Point3& to, Point3 between, dou
   {
     const auto& planes = this->Geometry.Grid.Planes[axis];
     const Index slab = this->Cell[axis];
-    const double most = HighestArch * this->Geometry.Grid.Width(axis, slab);
+    const double maximum = HighestArch * this->Geometry.Grid.Width(axis, slab);
     if (from[axis] != to[axis])
     {
       continue;
     }
     if (slab > 0 && from[axis] == planes[slab - 1])
     {
-      between[axis] += std::min(height, most);
+      between[axis] += std::min(height, maximum);
     }
     else if (slab < this->Geometry.Grid.Count(axis) && from[axis] == planes[slab])
     {
-      between[axis] -= std::min(height, most);
+      between[axis] -= std::min(height, maximum);
     }
   }
   return between;

@@ -55,7 +55,7 @@ public:
   {
   }
 
-  UndecidedPlaces Run(const std::vector<CycleJoin>& joins, Index mostPlanes);
+  UndecidedPlaces Run(const std::vector<CycleJoin>& joins, Index maxPlanes);
 
 private:
   void AddPlace(const CycleJoin& join);
@@ -226,7 +226,7 @@ bool Proposer::ProposePlane()
   return true;
 }
 
-UndecidedPlaces Proposer::Run(const std::vector<CycleJoin>& joins, Index mostPlanes)
+UndecidedPlaces Proposer::Run(const std::vector<CycleJoin>& joins, Index maxPlanes)
 {
   for (const CycleJoin& join : joins)
   {
@@ -235,7 +235,7 @@ UndecidedPlaces Proposer::Run(const std::vector<CycleJoin>& joins, Index mostPla
       this->AddPlace(join);
     }
   }
-  for (Index i = 0; i < mostPlanes && this->ProposePlane(); ++i)
+  for (Index i = 0; i < maxPlanes && this->ProposePlane(); ++i)
   {
   }
   std::stable_sort(this->Result.Places.begin(), this->Result.Places.end(),
@@ -260,8 +260,8 @@ double UncertaintyOf(double evidence)
 }
 
 UndecidedPlaces FindUndecidedPlaces(
-  const CycleGeometry& geometry, const std::vector<CycleJoin>& joins, Index mostPlanes)
+  const CycleGeometry& geometry, const std::vector<CycleJoin>& joins, Index maxPlanes)
 {
-  return Proposer(geometry).Run(joins, mostPlanes);
+  return Proposer(geometry).Run(joins, maxPlanes);
 }
 }

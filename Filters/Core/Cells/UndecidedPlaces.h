@@ -66,7 +66,7 @@ double UncertaintyOf(double evidence);
  * stabbing of weighted intervals), at most `mostPlanes`.
  */
 UndecidedPlaces FindUndecidedPlaces(
-  const CycleGeometry& geometry, const std::vector<CycleJoin>& joins, Index mostPlanes = 1000);
+  const CycleGeometry& geometry, const std::vector<CycleJoin>& joins, Index maxPlanes = 1000);
 }
 
 #endif

@@ -43,8 +43,9 @@ bool Encloses(const ContourStack& stack, Index outer, Index inner)
 
 std::vector<PlanarBox> BoxesOf(const ContourStack& stack)
 {
-  constexpr double most = std::numeric_limits<double>::max();
-  std::vector<PlanarBox> boxes(stack.Slice.size(), PlanarBox{ { most, most }, { -most, -most } });
+  constexpr double maximum = std::numeric_limits<double>::max();
+  std::vector<PlanarBox> boxes(
+    stack.Slice.size(), PlanarBox{ { maximum, maximum }, { -maximum, -maximum } });
   for (Index contour = 0; contour < stack.Count(); ++contour)
   {
     PlanarBox& box = boxes[contour];

@@ -12,9 +12,9 @@ namespace orthoslices
 {
 namespace
 {
-constexpr double MostMisfit = 0.12;  ///< of an ellipse, as a share of the contour's area
-constexpr double MostError = 1.0;    ///< of a prediction, in mean semi-axes
-constexpr double MostChange = 0.5;   ///< of shape from slice to slice at first, likewise
+constexpr double MaxMisfit = 0.12;   ///< of an ellipse, as a share of the contour's area
+constexpr double MaxError = 1.0;     ///< of a prediction, in mean semi-axes
+constexpr double MaxChange = 0.5;    ///< of shape from slice to slice at first, likewise
 constexpr double SlopePenalty = 0.1; ///< for each mean semi-axis that a seed moves per slice
 constexpr Index None = -1;
 
@@ -117,7 +117,7 @@ CylinderBuilder::CylinderBuilder(const ContourStack& stack)
   for (Index i = 0; i < stack.Count(); ++i)
   {
     this->Values.push_back({ this->Ellipses[i].Center, this->Ellipses[i].Shape() });
-    this->Sense.push_back(this->Ellipses[i].Misfit > MostMisfit ? 0 : areas[i] > 0.0 ? 1 : -1);
+    this->Sense.push_back(this->Ellipses[i].Misfit > MaxMisfit ? 0 : areas[i] > 0.0 ? 1 : -1);
     if (this->Sense[i] != 0)
     {
       this->BySlice[stack.Slice[i]].push_back(i);
@@ -192,17 +192,17 @@ void CylinderBuilder::AddSeedsAbove(Index lower, Index middle, std::vector<Seed>
   const double scale = this->Scale(middle);
   const Point3 change = ShapeOffset(this->Values[lower], this->Values[middle]);
   const Index slice = this->SliceBeyond(middle, Up);
-  if (slice == None || !this->MayBelong(lower, middle) || Norm(change) > MostChange * scale)
+  if (slice == None || !this->MayBelong(lower, middle) || Norm(change) > MaxChange * scale)
   {
     return;
   }
   const Parameters predicted = this->Extrapolate(lower, middle, slice);
   const double slope = Norm(CenterOffset(this->Values[lower], this->Values[middle]));
-  this->VisitNear(slice, predicted.Center, MostError * scale,
+  this->VisitNear(slice, predicted.Center, MaxError * scale,
     [&](Index upper)
     {
       const double error = Distance(predicted, this->Values[upper]);
-      if (this->MayBelong(middle, upper) && error <= MostError * scale)
+      if (this->MayBelong(middle, upper) && error <= MaxError * scale)
       {
         const double cost = (error + SlopePenalty * slope) / scale;
         seeds.push_back({ cost, { lower, middle, upper }, error / scale });
@@ -242,11 +242,11 @@ void CylinderBuilder::Grow(Index end, Direction direction)
     const Parameters predicted = this->PredictBeyond(end, direction);
     const double scale = this->Scale(end);
     Found best;
-    this->VisitNear(slice, predicted.Center, MostError * scale,
+    this->VisitNear(slice, predicted.Center, MaxError * scale,
       [&](Index contour)
       {
         const double error = Distance(predicted, this->Values[contour]) / scale;
-        if (this->IsAlone(contour) && this->MayBelong(end, contour) && error <= MostError &&
+        if (this->IsAlone(contour) && this->MayBelong(end, contour) && error <= MaxError &&
           error < best.Error)
         {
           best = { contour, error };
@@ -274,7 +274,7 @@ CylinderBuilder::Found CylinderBuilder::NearestAlike(Index contour, Direction di
     const double scale = std::min(this->Scale(contour), this->Scale(other));
     const double reach = this->Ellipses[contour].Major + this->Ellipses[other].Major;
     if (this->IsAlone(other) && this->MayBelong(contour, other) &&
-      Norm(ShapeOffset(a, b)) <= MostChange * scale && Norm(CenterOffset(a, b)) <= reach &&
+      Norm(ShapeOffset(a, b)) <= MaxChange * scale && Norm(CenterOffset(a, b)) <= reach &&
       Distance(a, b) < best.Error)
     {
       best = { other, Distance(a, b) };

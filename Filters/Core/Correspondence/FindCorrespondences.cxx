@@ -17,6 +17,7 @@ std::vector<Correspondence> FindCorrespondences(
   std::vector<Correspondence> pairs;
   switch (criterion)
   {
+    case CorrespondenceCriterion::ByEvidence:
     case CorrespondenceCriterion::Overlap:
       pairs = CorrespondencesByOverlap(stack);
       break;

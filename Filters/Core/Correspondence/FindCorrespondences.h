@@ -36,9 +36,11 @@ struct Correspondence
   }
 };
 
-/// The methods for parallel slices that section 2 of the paper compares with.
+/// Which contours of parallel slices belong together where no orthogonal slice says so: our own
+/// evidence, or one of the methods that section 2 of the paper compares with.
 enum class CorrespondenceCriterion
 {
+  ByEvidence,          ///< those that overlap, and others by the evidence of CycleJoin
   Overlap,             ///< see OverlapCriterion.h
   EllipticalCylinders, ///< see EllipticalCylinders.h
   SpanningTree,        ///< see SpanningTreeCriterion.h
@@ -46,9 +48,9 @@ enum class CorrespondenceCriterion
 };
 
 /**
- * Which contours of a stack of parallel slices belong together. Contours on slices that are not
- * neighbours never do. Each pair occurs once; the pairs ascend, and depend on the contours and
- * their order only.
+ * Which contours of a stack of parallel slices belong together; for ByEvidence, those that overlap.
+ * Contours on slices that are not neighbours never do. Each pair occurs once; the pairs ascend, and
+ * depend on the contours and their order only.
  */
 std::vector<Correspondence> FindCorrespondences(CorrespondenceCriterion criterion,
   const ContourStack& stack, const PriorKnowledge& known = PriorKnowledge());

@@ -61,12 +61,12 @@ double MeanDistance(const Samples& from, const Samples& to)
   double sum = 0.0;
   for (const Point2& p : from)
   {
-    double least = HUGE_VAL;
+    double minimum = HUGE_VAL;
     for (int k = 0; k < SampleCount; ++k)
     {
-      least = std::min(least, DistanceToSegment(p, to[k], to[(k + 1) % SampleCount]));
+      minimum = std::min(minimum, DistanceToSegment(p, to[k], to[(k + 1) % SampleCount]));
     }
-    sum += least;
+    sum += minimum;
   }
   return sum / SampleCount;
 }

@@ -12,7 +12,7 @@ namespace orthoslices
 {
 namespace
 {
-constexpr double MostCostOfMedian = 9.0;
+constexpr double MaxCostOfMedian = 9.0;
 
 double Square(double x) { return x * x; }
 
@@ -65,20 +65,20 @@ void AddTreeBetween(const std::vector<ContourEllipse>& ellipses, const std::vect
         others.Best[k] = edge;
       }
     }
-    Correspondence least = worst;
+    Correspondence minimum = worst;
     for (std::size_t s = 0; s < 2; ++s)
     {
       for (std::size_t k = 0; k < sides[s].Contours.size(); ++k)
       {
-        if (!sides[s].Taken[k] && IsCheaper(sides[s].Best[k], least))
+        if (!sides[s].Taken[k] && IsCheaper(sides[s].Best[k], minimum))
         {
-          least = sides[s].Best[k];
+          minimum = sides[s].Best[k];
           side = s;
           at = k;
         }
       }
     }
-    edges.push_back(least);
+    edges.push_back(minimum);
   }
 }
 
@@ -123,7 +123,7 @@ std::vector<Correspondence> CorrespondencesBySpanningTree(const ContourStack& st
   const auto isTooLong = [&](const Correspondence& edge)
   {
     const double reach = ellipses[edge.First].Major + ellipses[edge.Second].Major;
-    return edge.Cost > MostCostOfMedian * median && edge.Cost > Square(reach);
+    return edge.Cost > MaxCostOfMedian * median && edge.Cost > Square(reach);
   };
   edges.erase(std::remove_if(edges.begin(), edges.end(), isTooLong), edges.end());
   return edges;

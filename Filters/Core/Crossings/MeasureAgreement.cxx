@@ -51,7 +51,7 @@ struct ShiftEquations
 }
 
 SliceAgreement MeasureAgreement(const Contours& contours, const SpatialGrid& grid,
-  const Crossings& crossings, const NodePoints& nodes, const std::vector<double>& nodeNormals)
+  const GridCrossings& crossings, const NodePoints& nodes, const std::vector<double>& nodeNormals)
 {
   const GridEdgeCode code(grid);
   SliceAgreement result;
@@ -70,7 +70,7 @@ SliceAgreement MeasureAgreement(const Contours& contours, const SpatialGrid& gri
     for (const Index crossing : { nodes.First[node], nodes.Second[node] })
     {
       const Index contour = crossings.RunContour[crossing];
-      if (contour == Crossings::None)
+      if (contour == GridCrossings::None)
       {
         continue;
       }

@@ -36,7 +36,7 @@ struct SliceAgreement
 
 /// `nodeNormals` as from ComputeNodeNormals.
 SliceAgreement MeasureAgreement(const Contours& contours, const SpatialGrid& grid,
-  const Crossings& crossings, const NodePoints& nodes, const std::vector<double>& nodeNormals);
+  const GridCrossings& crossings, const NodePoints& nodes, const std::vector<double>& nodeNormals);
 }
 
 #endif

@@ -10,7 +10,7 @@ namespace orthoslices
 namespace
 {
 /// Places nodes [first, last), which lie on one edge, at least a margin apart.
-void PlaceNodes(const SpatialGrid& grid, const GridEdge& edge, const Crossings& crossings,
+void PlaceNodes(const SpatialGrid& grid, const GridEdge& edge, const GridCrossings& crossings,
   const AxisWeights& weights, NodePoints& nodes, Index first, Index last)
 {
   const int t = edge.Direction;
@@ -33,25 +33,25 @@ void PlaceNodes(const SpatialGrid& grid, const GridEdge& edge, const Crossings& 
   const double gap = std::min(grid.Margin(t, edge.Slab), (high - low) / (2.0 * (last - first + 1)));
   for (Index node = first + 1; node < last; ++node)
   {
-    const double least = nodes.Position[node - 1] + gap;
-    nodes.Position[node] = grid.Round(std::max(nodes.Position[node], least));
+    const double minimum = nodes.Position[node - 1] + gap;
+    nodes.Position[node] = grid.Round(std::max(nodes.Position[node], minimum));
   }
   // What was pushed beyond the end goes back, and takes those before it along.
-  double most = edge.Slab < grid.Count(t) ? high - gap : nodes.Position[last - 1];
-  for (Index node = last - 1; node >= first && nodes.Position[node] > most; --node)
+  double maximum = edge.Slab < grid.Count(t) ? high - gap : nodes.Position[last - 1];
+  for (Index node = last - 1; node >= first && nodes.Position[node] > maximum; --node)
   {
-    nodes.Position[node] = grid.Round(most);
-    most = nodes.Position[node] - gap;
+    nodes.Position[node] = grid.Round(maximum);
+    maximum = nodes.Position[node] - gap;
   }
 }
 }
 
-NodePoints PairNodePoints(const SpatialGrid& grid, const Crossings& crossings,
+NodePoints PairNodePoints(const SpatialGrid& grid, const GridCrossings& crossings,
   const EdgeRegister& edges, const AxisWeights& weights)
 {
   const GridEdgeCode code(grid);
   NodePoints nodes;
-  nodes.NodeOf.assign(crossings.Count(), Crossings::None);
+  nodes.NodeOf.assign(crossings.Count(), GridCrossings::None);
   for (std::vector<Index>* side : { &nodes.First, &nodes.Second })
   {
     side->reserve(crossings.Count() / 2);
@@ -80,8 +80,8 @@ NodePoints PairNodePoints(const SpatialGrid& grid, const Crossings& crossings,
   return nodes;
 }
 
-Point3 NodePosition(const SpatialGrid& grid, const GridEdgeCode& code, const Crossings& crossings,
-  const NodePoints& nodes, Index node)
+Point3 NodePosition(const SpatialGrid& grid, const GridEdgeCode& code,
+  const GridCrossings& crossings, const NodePoints& nodes, Index node)
 {
   return CrossingPoint(grid, code, crossings.Edge[nodes.First[node]], nodes.Position[node]);
 }

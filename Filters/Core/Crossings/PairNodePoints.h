@@ -28,7 +28,7 @@ struct NodePoints
   double Disagreement(Index node) const { return std::abs(this->Difference[node]); }
 
   /// The crossing of the other contour at the same node.
-  Index Partner(const Crossings& crossings, Index crossing) const
+  Index Partner(const GridCrossings& crossings, Index crossing) const
   {
     const Index node = this->NodeOf[crossing];
     return crossings.Family[crossing] == 0 ? this->Second[node] : this->First[node];
@@ -42,12 +42,12 @@ struct NodePoints
  * so that no two nodes coincide; they are numbered upwards along each edge. REQUIRES: reconciled
  * slices (as many crossings of both families on an edge, with the same signs).
  */
-NodePoints PairNodePoints(const SpatialGrid& grid, const Crossings& crossings,
+NodePoints PairNodePoints(const SpatialGrid& grid, const GridCrossings& crossings,
   const EdgeRegister& edges, const AxisWeights& weights = { 1.0, 1.0, 1.0 });
 
 /// World coordinates of a node point.
-Point3 NodePosition(const SpatialGrid& grid, const GridEdgeCode& code, const Crossings& crossings,
-  const NodePoints& nodes, Index node);
+Point3 NodePosition(const SpatialGrid& grid, const GridEdgeCode& code,
+  const GridCrossings& crossings, const NodePoints& nodes, Index node);
 
 }
 

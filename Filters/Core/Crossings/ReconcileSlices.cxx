@@ -29,11 +29,11 @@ struct Correction
 class Reconciler
 {
 public:
-  Reconciler(const SpatialGrid& grid, Crossings& crossings, EdgeRegister& edges,
+  Reconciler(const SpatialGrid& grid, GridCrossings& crossings, EdgeRegister& edges,
     std::vector<IsolatedLoop>& isolated, const AxisWeights& weights, int background)
     : Grid(grid)
     , Code(grid)
-    , Set(crossings)
+    , Crossings(crossings)
     , Edges(edges)
     , Isolated(isolated)
     , Weights(weights)
@@ -46,7 +46,7 @@ public:
 private:
   GridEdge EdgeOf(Index edge) const
   {
-    return this->Code.Decode(this->Set.Edge[this->Edges.Crossing[this->Edges.Offsets[edge]]]);
+    return this->Code.Decode(this->Crossings.Edge[this->Edges.Crossing[this->Edges.Offsets[edge]]]);
   }
   std::vector<Doubt> FindDoubts() const;
   int SignSum(Index edge, int family) const;
@@ -70,7 +70,7 @@ private:
 
   const SpatialGrid& Grid;
   GridEdgeCode Code;
-  Crossings& Set;
+  GridCrossings& Crossings;
   EdgeRegister& Edges;
   std::vector<IsolatedLoop>& Isolated;
   AxisWeights Weights;
@@ -84,7 +84,7 @@ int Reconciler::SignSum(Index edge, int family) const
   for (Index i = this->Edges.Offsets[edge]; i < this->Edges.Offsets[edge + 1]; ++i)
   {
     const Index crossing = this->Edges.Crossing[i];
-    sum += this->Set.Family[crossing] == family ? this->Set.Sign(crossing) : 0;
+    sum += this->Crossings.Family[crossing] == family ? this->Crossings.Sign(crossing) : 0;
   }
   return sum;
 }
@@ -189,7 +189,7 @@ double Reconciler::DistanceTo(const GridEdge& edge, int family, double position)
 {
   const std::uint64_t code = this->Code.Encode(edge);
   const auto codeOf = [this](Index e)
-  { return this->Set.Edge[this->Edges.Crossing[this->Edges.Offsets[e]]]; };
+  { return this->Crossings.Edge[this->Edges.Crossing[this->Edges.Offsets[e]]]; };
   Index low = 0;
   Index high = this->Edges.Count();
   while (low < high)
@@ -203,8 +203,8 @@ double Reconciler::DistanceTo(const GridEdge& edge, int family, double position)
     for (Index i = this->Edges.Offsets[low]; i < this->Edges.Offsets[low + 1]; ++i)
     {
       const Index crossing = this->Edges.Crossing[i];
-      const double distance = std::abs(this->Set.Position[crossing] - position);
-      nearest = this->Set.Family[crossing] == family ? std::min(nearest, distance) : nearest;
+      const double distance = std::abs(this->Crossings.Position[crossing] - position);
+      nearest = this->Crossings.Family[crossing] == family ? std::min(nearest, distance) : nearest;
     }
   }
   return nearest;
@@ -262,25 +262,25 @@ void Reconciler::InsertLoop(const Correction& correction)
   const Step steps[4] = { { true, j + 1, -1 }, { false, i, -1 }, { true, j, 1 },
     { false, i + 1, 1 } };
   const int turn = correction.Amount > 0 ? 1 : -1;
-  const Index first = this->Set.Count();
-  this->Set.Resize(first + 4);
+  const Index first = this->Crossings.Count();
+  this->Crossings.Resize(first + 4);
   for (int s = 0; s < 4; ++s)
   {
     const Index c = first + s;
     const Step& step = steps[turn > 0 ? s : 3 - s];
     const GridEdge edge =
       step.CrossesU ? GridEdge{ v, slice, i, step.Slab } : GridEdge{ u, j, slice, step.Slab };
-    this->Set.Edge[c] = this->Code.Encode(edge);
-    this->Set.Position[c] = step.CrossesU ? atV : atU;
-    this->Set.Direction[c] = static_cast<std::int8_t>(turn * step.Direction);
-    this->Set.Family[c] = step.CrossesU ? 0 : 1;
-    this->Set.Next[c] = first + (s + 1) % 4;
-    this->Set.Previous[c] = first + (s + 3) % 4;
-    this->Set.RunContour[c] = Crossings::None;
-    this->Set.RunFirst[c] = 0;
-    this->Set.RunCount[c] = 0;
-    this->Set.RunNext[c] = Crossings::None;
-    this->Set.ArcLastRun[c] = c;
+    this->Crossings.Edge[c] = this->Code.Encode(edge);
+    this->Crossings.Position[c] = step.CrossesU ? atV : atU;
+    this->Crossings.Direction[c] = static_cast<std::int8_t>(turn * step.Direction);
+    this->Crossings.Family[c] = step.CrossesU ? 0 : 1;
+    this->Crossings.Next[c] = first + (s + 1) % 4;
+    this->Crossings.Previous[c] = first + (s + 3) % 4;
+    this->Crossings.RunContour[c] = GridCrossings::None;
+    this->Crossings.RunFirst[c] = 0;
+    this->Crossings.RunCount[c] = 0;
+    this->Crossings.RunNext[c] = GridCrossings::None;
+    this->Crossings.ArcLastRun[c] = c;
   }
 }
 
@@ -296,7 +296,7 @@ std::vector<Index> Reconciler::Alternate(Index begin, Index end, int label)
   bool alternates = true;
   for (const Index c : list)
   {
-    alternates &= this->Set.Sign(c) == expected;
+    alternates &= this->Crossings.Sign(c) == expected;
     expected = -expected;
   }
   if (alternates)
@@ -306,65 +306,65 @@ std::vector<Index> Reconciler::Alternate(Index begin, Index end, int label)
   std::vector<Index> rising, falling;
   for (const Index c : list)
   {
-    (this->Set.Sign(c) > 0 ? rising : falling).push_back(c);
+    (this->Crossings.Sign(c) > 0 ? rising : falling).push_back(c);
   }
   bool rises = label == 0;
   auto rise = rising.begin();
   auto fall = falling.begin();
-  double position = this->Set.Position[list.front()];
+  double position = this->Crossings.Position[list.front()];
   for (Index& c : list)
   {
     c = rises ? *rise++ : *fall++;
     rises = !rises;
-    position = std::max(position, this->Set.Position[c]);
-    this->Set.Position[c] = position;
+    position = std::max(position, this->Crossings.Position[c]);
+    this->Crossings.Position[c] = position;
   }
   return list;
 }
 
 void Reconciler::JoinArcs(Index incoming, Index outgoing)
 {
-  const Index arc = this->Set.Previous[incoming];
+  const Index arc = this->Crossings.Previous[incoming];
   if (arc == outgoing)
   {
     this->AddIsolated(outgoing);
     return;
   }
-  this->Set.RunNext[this->Set.ArcLastRun[arc]] = outgoing;
-  this->Set.ArcLastRun[arc] = this->Set.ArcLastRun[outgoing];
-  this->Set.Next[arc] = this->Set.Next[outgoing];
-  this->Set.Previous[this->Set.Next[outgoing]] = arc;
+  this->Crossings.RunNext[this->Crossings.ArcLastRun[arc]] = outgoing;
+  this->Crossings.ArcLastRun[arc] = this->Crossings.ArcLastRun[outgoing];
+  this->Crossings.Next[arc] = this->Crossings.Next[outgoing];
+  this->Crossings.Previous[this->Crossings.Next[outgoing]] = arc;
 }
 
 void Reconciler::AddIsolated(Index firstRun)
 {
   Index vertices = 0;
-  for (Index run = firstRun; run != Crossings::None; run = this->Set.RunNext[run])
+  for (Index run = firstRun; run != GridCrossings::None; run = this->Crossings.RunNext[run])
   {
-    vertices += this->Set.RunCount[run];
+    vertices += this->Crossings.RunCount[run];
   }
   if (vertices >= 3)
   {
-    this->Isolated.push_back({ firstRun, Crossings::None });
+    this->Isolated.push_back({ firstRun, GridCrossings::None });
   }
 }
 
 /// Whether a crossing belongs to a loop around a vertex, which is reported there.
 bool Reconciler::IsInserted(Index crossing) const
 {
-  return this->Set.RunContour[crossing] == Crossings::None;
+  return this->Crossings.RunContour[crossing] == GridCrossings::None;
 }
 
 void Reconciler::ReportSnip(Index a, Index b)
 {
-  const double from = this->Set.Position[a];
-  const double to = this->Set.Position[b];
-  const GridEdge edge = this->Code.Decode(this->Set.Edge[a]);
-  const bool first = this->Set.Family[a] == 0;
+  const double from = this->Crossings.Position[a];
+  const double to = this->Crossings.Position[b];
+  const GridEdge edge = this->Code.Decode(this->Crossings.Edge[a]);
+  const bool first = this->Crossings.Family[a] == 0;
   this->Report.Repairs.push_back(
     { RepairKind::CrossingsSnipped, first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction),
       first ? edge.First : edge.Second,
-      CrossingPoint(this->Grid, this->Code, this->Set.Edge[a], from + 0.5 * (to - from)),
+      CrossingPoint(this->Grid, this->Code, this->Crossings.Edge[a], from + 0.5 * (to - from)),
       std::abs(to - from) });
 }
 
@@ -377,8 +377,8 @@ void Reconciler::Snip(Index a, Index b)
   }
   this->JoinArcs(a, b);
   this->JoinArcs(b, a);
-  this->Set.Next[a] = Crossings::Removed;
-  this->Set.Next[b] = Crossings::Removed;
+  this->Crossings.Next[a] = GridCrossings::Removed;
+  this->Crossings.Next[b] = GridCrossings::Removed;
 }
 
 void Reconciler::SnipUnmatched(
@@ -400,7 +400,7 @@ void Reconciler::MatchEdge(Index edge, int label)
   const Index begin = this->Edges.Offsets[edge];
   const Index end = this->Edges.Offsets[edge + 1];
   Index middle = begin;
-  while (middle < end && this->Set.Family[this->Edges.Crossing[middle]] == 0)
+  while (middle < end && this->Crossings.Family[this->Edges.Crossing[middle]] == 0)
   {
     ++middle;
   }
@@ -418,7 +418,7 @@ void Reconciler::MatchEdge(Index edge, int label)
   {
     for (const Index c : lists[family])
     {
-      positions[family].push_back(this->Set.Position[c]);
+      positions[family].push_back(this->Crossings.Position[c]);
     }
     matched[family].assign(lists[family].size(), 0);
   }
@@ -471,7 +471,7 @@ Reconciliation Reconciler::Run()
   }
   if (this->Report.Vertices > 0)
   {
-    this->Edges = FileOnEdges(this->Set);
+    this->Edges = FileOnEdges(this->Crossings);
   }
   this->MatchEdges();
   return this->Report;
@@ -531,8 +531,9 @@ void MatchAlternating(const std::vector<double>& first, const std::vector<double
   std::reverse(matched.begin(), matched.end());
 }
 
-Reconciliation ReconcileSlices(const SpatialGrid& grid, Crossings& crossings, EdgeRegister& edges,
-  std::vector<IsolatedLoop>& isolated, const AxisWeights& weights, int background)
+Reconciliation ReconcileSlices(const SpatialGrid& grid, GridCrossings& crossings,
+  EdgeRegister& edges, std::vector<IsolatedLoop>& isolated, const AxisWeights& weights,
+  int background)
 {
   return Reconciler(grid, crossings, edges, isolated, weights, background).Run();
 }

@@ -34,9 +34,9 @@ struct Reconciliation
  *
  * `background` is the winding number far away: 0, or 1 where the contours bound the outside.
  */
-Reconciliation ReconcileSlices(const SpatialGrid& grid, Crossings& crossings, EdgeRegister& edges,
-  std::vector<IsolatedLoop>& isolated, const AxisWeights& weights = { 1.0, 1.0, 1.0 },
-  int background = 0);
+Reconciliation ReconcileSlices(const SpatialGrid& grid, GridCrossings& crossings,
+  EdgeRegister& edges, std::vector<IsolatedLoop>& isolated,
+  const AxisWeights& weights = { 1.0, 1.0, 1.0 }, int background = 0);
 
 /**
  * Matches two ascending lists of positions whose signs alternate from the same first sign.

@@ -7,7 +7,7 @@
 
 namespace orthoslices
 {
-void Crossings::Resize(std::size_t count)
+void GridCrossings::Resize(std::size_t count)
 {
   this->Edge.resize(count);
   this->Position.resize(count);
@@ -129,7 +129,7 @@ void ContourWalk::CrossSegment(Index vertex, Index next, Visit&& visit)
 
 /// Writes the crossings of one contour to places [first, last) and links them.
 void FillContour(const Contours& contours, Index contour, const SpatialGrid& grid,
-  const GridEdgeCode& code, Index first, Index last, Crossings& crossings)
+  const GridEdgeCode& code, Index first, Index last, GridCrossings& crossings)
 {
   const int axis = contours.Axis[contour];
   const Index slice = contours.Plane[contour];
@@ -156,7 +156,7 @@ void FillContour(const Contours& contours, Index contour, const SpatialGrid& gri
     crossings.Next[c] = next;
     crossings.Previous[next] = c;
     crossings.RunContour[c] = contour;
-    crossings.RunNext[c] = Crossings::None;
+    crossings.RunNext[c] = GridCrossings::None;
     crossings.ArcLastRun[c] = c;
     const auto segment = [&](Index i)
     { return crossings.RunFirst[i] == begin ? begin + size - 1 : crossings.RunFirst[i] - 1; };
@@ -165,7 +165,7 @@ void FillContour(const Contours& contours, Index contour, const SpatialGrid& gri
 }
 }
 
-Crossings RegisterCrossings(const Contours& contours, const SpatialGrid& grid,
+GridCrossings RegisterCrossings(const Contours& contours, const SpatialGrid& grid,
   const Execution& execution, std::vector<IsolatedLoop>& isolated)
 {
   const std::size_t count = contours.Count();
@@ -183,11 +183,11 @@ Crossings RegisterCrossings(const Contours& contours, const SpatialGrid& grid,
   {
     if (offsets[i + 1] == 0)
     {
-      isolated.push_back({ Crossings::None, static_cast<Index>(i) });
+      isolated.push_back({ GridCrossings::None, static_cast<Index>(i) });
     }
     offsets[i + 1] += offsets[i];
   }
-  Crossings crossings;
+  GridCrossings crossings;
   crossings.Resize(offsets.back());
   const GridEdgeCode code(grid);
   execution.For(count,
@@ -202,7 +202,7 @@ Crossings RegisterCrossings(const Contours& contours, const SpatialGrid& grid,
   return crossings;
 }
 
-EdgeRegister FileOnEdges(const Crossings& crossings)
+EdgeRegister FileOnEdges(const GridCrossings& crossings)
 {
   struct Entry
   {

@@ -20,7 +20,7 @@ namespace orthoslices
  * RunContour[r], cyclic from vertex RunFirst[r], and is followed by run RunNext[r]. Arc c begins
  * with run c; ArcLastRun[c] is its last run.
  */
-struct Crossings
+struct GridCrossings
 {
   static constexpr Index Removed = -1;
   static constexpr Index None = -1;
@@ -74,11 +74,11 @@ struct EdgeRegister
  * as moved down by infinitesimals, largest for x, smallest for z. Contours without a crossing are
  * appended to `isolated`.
  */
-Crossings RegisterCrossings(const Contours& contours, const SpatialGrid& grid,
+GridCrossings RegisterCrossings(const Contours& contours, const SpatialGrid& grid,
   const Execution& execution, std::vector<IsolatedLoop>& isolated);
 
 /// Files the crossings that are not removed on their edges.
-EdgeRegister FileOnEdges(const Crossings& crossings);
+EdgeRegister FileOnEdges(const GridCrossings& crossings);
 
 /// The point of the lattice line at a crossing, in world coordinates.
 Point3 CrossingPoint(

@@ -21,7 +21,7 @@ struct BorderEnd
   Index Crossing;
   bool IsStart; ///< of its arc
 
-  Index Arc(const Crossings& crossings) const
+  Index Arc(const GridCrossings& crossings) const
   {
     return this->IsStart ? this->Crossing : crossings.Previous[this->Crossing];
   }
@@ -58,7 +58,7 @@ private:
 /// Counter-clockwise around the face. Nodes on one grid edge are numbered upwards.
 void ShellDrawer::SortEnds(const FaceArcs& face)
 {
-  const Crossings& crossings = this->Geometry.Lattice;
+  const GridCrossings& crossings = this->Geometry.Crossings;
   for (const Index arc : face)
   {
     const Index stop = crossings.Next[arc];
@@ -78,7 +78,7 @@ bool ShellDrawer::Interlock() const
   std::vector<Index> open;
   for (const BorderEnd& end : this->Ends)
   {
-    const Index arc = end.Arc(this->Geometry.Lattice);
+    const Index arc = end.Arc(this->Geometry.Crossings);
     if (!open.empty() && open.back() == arc)
     {
       open.pop_back();
@@ -112,17 +112,17 @@ void ShellDrawer::FindRectangle()
 {
   for (int side = 0; side < 2; ++side)
   {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -minimum;
     for (const BorderEnd& end : this->Ends)
     {
       const double x = this->Geometry.InPlane(this->Rectangle, end.Node)[side];
-      least = std::min(least, x);
-      most = std::max(most, x);
+      minimum = std::min(minimum, x);
+      maximum = std::max(maximum, x);
     }
     const int axis = (this->Rectangle.Axis + 1 + side) % 3;
     this->Geometry.Grid.GetExtent(
-      axis, this->Rectangle.Slab[side], least, most, this->Low[side], this->High[side]);
+      axis, this->Rectangle.Slab[side], minimum, maximum, this->Low[side], this->High[side]);
   }
 }
 
@@ -158,7 +158,7 @@ void ShellDrawer::DrawArc(std::size_t first, std::size_t last, double depth)
   {
     std::reverse(points.begin() + begin, points.end());
   }
-  this->Result.Arc.push_back(from.Arc(this->Geometry.Lattice));
+  this->Result.Arc.push_back(from.Arc(this->Geometry.Crossings));
   this->Result.Offsets.push_back(points.size());
 }
 
@@ -169,7 +169,7 @@ void ShellDrawer::Draw()
     std::size_t End;
     int Height; ///< greatest number of arcs nested beneath, so far
   };
-  const Crossings& crossings = this->Geometry.Lattice;
+  const GridCrossings& crossings = this->Geometry.Crossings;
   const double step = DeepestShell / (0.5 * this->Ends.size());
   std::vector<Open> open;
   for (std::size_t i = 0; i < this->Ends.size(); ++i)

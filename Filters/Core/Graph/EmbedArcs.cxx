@@ -17,7 +17,7 @@ namespace
 /// The arcs of a face as curves; arc i had the vertices First[i] to First[i + 1] - 1.
 struct FaceCurves
 {
-  PlanarCurves Set;
+  PlanarCurves Curves;
   std::vector<Index> First;
 };
 
@@ -103,7 +103,7 @@ bool ArcEmbedder::IsMonotone(const Face& face, Index arc) const
 
 bool ArcEmbedder::AreOnOneEdge(Index a, Index b) const
 {
-  return this->Geometry.Lattice.Edge[a] == this->Geometry.Lattice.Edge[b];
+  return this->Geometry.Crossings.Edge[a] == this->Geometry.Crossings.Edge[b];
 }
 
 bool ArcEmbedder::IsSimple(const FaceArcs& face) const
@@ -111,7 +111,7 @@ bool ArcEmbedder::IsSimple(const FaceArcs& face) const
   for (const Index arc : face)
   {
     if (this->Geometry.Graph.PointCount(arc) == 0 &&
-      this->AreOnOneEdge(arc, this->Geometry.Lattice.Next[arc]))
+      this->AreOnOneEdge(arc, this->Geometry.Crossings.Next[arc]))
     {
       return false;
     }
@@ -121,7 +121,7 @@ bool ArcEmbedder::IsSimple(const FaceArcs& face) const
     return true;
   }
   FaceCurves curves = this->GetCurves(face);
-  return AreSimple(curves.Set);
+  return AreSimple(curves.Curves);
 }
 
 /// A vertex a little inside the face, beside the middle between two ends on one edge of M.
@@ -130,7 +130,7 @@ Point2 ArcEmbedder::Bump(const Face& face, Index start, Index stop) const
   const SpatialGrid& grid = this->Geometry.Grid;
   const Point2 from = this->Geometry.InPlane(face, this->Geometry.Nodes.NodeOf[start]);
   const Point2 to = this->Geometry.InPlane(face, this->Geometry.Nodes.NodeOf[stop]);
-  const int edge = BorderEdge(this->Geometry.Lattice, start, true);
+  const int edge = BorderEdge(this->Geometry.Crossings, start, true);
   const int across = edge % 2 == 1 ? 0 : 1;
   const int along = 1 - across;
   const int axis = (face.Axis + 1 + across) % 3;
@@ -150,24 +150,24 @@ FaceCurves ArcEmbedder::GetCurves(const FaceArcs& face) const
   FaceCurves curves;
   for (const Index arc : face)
   {
-    const Index first = static_cast<Index>(curves.Set.Vertices.size());
+    const Index first = static_cast<Index>(curves.Curves.Vertices.size());
     this->Geometry.VisitPoints(arc,
       [&](Index point)
-      { curves.Set.Vertices.push_back(this->Geometry.InPlane(face.Face, point)); });
+      { curves.Curves.Vertices.push_back(this->Geometry.InPlane(face.Face, point)); });
     curves.First.push_back(first);
-    curves.Set.Curves.emplace_back(curves.Set.Vertices.size() - first);
-    std::iota(curves.Set.Curves.back().begin(), curves.Set.Curves.back().end(), first);
+    curves.Curves.Curves.emplace_back(curves.Curves.Vertices.size() - first);
+    std::iota(curves.Curves.Curves.back().begin(), curves.Curves.Curves.back().end(), first);
   }
-  curves.First.push_back(static_cast<Index>(curves.Set.Vertices.size()));
+  curves.First.push_back(static_cast<Index>(curves.Curves.Vertices.size()));
   return curves;
 }
 
 /// The crossing at which a curve ends.
 Index ArcEmbedder::StopOf(const FaceArcs& face, const FaceCurves& curves, Index curve) const
 {
-  const Index end = curves.Set.Curves[curve].back();
+  const Index end = curves.Curves.Curves[curve].back();
   const auto next = std::upper_bound(curves.First.begin(), curves.First.end(), end);
-  return this->Geometry.Lattice.Next[face.First[next - curves.First.begin() - 1]];
+  return this->Geometry.Crossings.Next[face.First[next - curves.First.begin() - 1]];
 }
 
 /// Draws curves that lie on an edge of M into the face. Returns how many there were.
@@ -176,13 +176,13 @@ Index ArcEmbedder::AddBumps(const FaceArcs& face, FaceCurves& curves) const
   Index count = 0;
   for (Index i = 0; i < face.Count(); ++i)
   {
-    std::vector<Index>& curve = curves.Set.Curves[i];
+    std::vector<Index>& curve = curves.Curves.Curves[i];
     const Index start = face.First[i];
     const Index stop = this->StopOf(face, curves, i);
     if (curve.size() == 2 && this->AreOnOneEdge(start, stop))
     {
-      curve.insert(curve.begin() + 1, static_cast<Index>(curves.Set.Vertices.size()));
-      curves.Set.Vertices.push_back(this->Bump(face.Face, start, stop));
+      curve.insert(curve.begin() + 1, static_cast<Index>(curves.Curves.Vertices.size()));
+      curves.Curves.Vertices.push_back(this->Bump(face.Face, start, stop));
       ++count;
     }
   }
@@ -192,17 +192,17 @@ Index ArcEmbedder::AddBumps(const FaceArcs& face, FaceCurves& curves) const
 /// Passes the vertices of the arcs in another order. False if that does not help.
 bool ArcEmbedder::Uncross(const FaceArcs& face, Drawing& drawing) const
 {
-  constexpr int mostRounds = 4;
+  constexpr int maxRounds = 4;
   FaceCurves curves = this->GetCurves(face);
   this->AddBumps(face, curves);
-  Uncrossing outcome = UncrossCurves(curves.Set);
+  Uncrossing outcome = UncrossCurves(curves.Curves);
   for (int round = 1; outcome.Simple && this->AddBumps(face, curves) > 0; ++round)
   {
-    if (round == mostRounds)
+    if (round == maxRounds)
     {
       return false;
     }
-    outcome.Simple = UncrossCurves(curves.Set).Simple;
+    outcome.Simple = UncrossCurves(curves.Curves).Simple;
   }
   if (outcome.Simple)
   {
@@ -222,7 +222,7 @@ void ArcEmbedder::Redraw(
   }
   for (Index i = 0; i < face.Count(); ++i)
   {
-    const std::vector<Index>& curve = curves.Set.Curves[i];
+    const std::vector<Index>& curve = curves.Curves.Curves[i];
     const Index size = curves.First[i + 1] - curves.First[i];
     this->Geometry.Join(face.First[i], stops[i]);
     if (static_cast<Index>(curve.size()) == size && curve.back() == curves.First[i + 1] - 1 &&
@@ -233,7 +233,7 @@ void ArcEmbedder::Redraw(
     drawing.Arc.push_back(face.First[i]);
     for (std::size_t k = 1; k + 1 < curve.size(); ++k)
     {
-      drawing.Points.push_back(this->Geometry.InSpace(face.Face, curves.Set.Vertices[curve[k]]));
+      drawing.Points.push_back(this->Geometry.InSpace(face.Face, curves.Curves.Vertices[curve[k]]));
     }
     drawing.Offsets.push_back(drawing.Points.size());
   }
@@ -266,7 +266,7 @@ Drawing ArcEmbedder::Draw(const FaceArcs& face, bool forced) const
 void ArcEmbedder::Replace(const std::vector<Drawing>& drawings) const
 {
   NodeGraph& graph = this->Geometry.Graph;
-  const Index arcs = this->Geometry.Lattice.Count();
+  const Index arcs = this->Geometry.Crossings.Count();
   using Place = std::pair<const Drawing*, std::size_t>;
   std::vector<Place> places(arcs, Place(nullptr, 0));
   std::size_t more = 0;
@@ -311,7 +311,7 @@ void ArcEmbedder::Replace(const std::vector<Drawing>& drawings) const
 std::vector<ArcEmbedder::Task> ArcEmbedder::Classify(
   const ArcsByFace& faces, const std::vector<Index>& forced) const
 {
-  std::vector<std::uint8_t> isForced(forced.empty() ? 0 : this->Geometry.Lattice.Count(), 0);
+  std::vector<std::uint8_t> isForced(forced.empty() ? 0 : this->Geometry.Crossings.Count(), 0);
   for (const Index arc : forced)
   {
     isForced[arc] = 1;
@@ -338,7 +338,7 @@ std::vector<ArcEmbedder::Task> ArcEmbedder::Classify(
 std::vector<Repair> ArcEmbedder::Run(const std::vector<Index>& forced)
 {
   const ArcsByFace faces =
-    GroupArcsByFace(this->Geometry.Grid, this->Geometry.Lattice, this->Execute);
+    GroupArcsByFace(this->Geometry.Grid, this->Geometry.Crossings, this->Execute);
   const std::vector<Task> tasks = this->Classify(faces, forced);
   std::vector<Index> changed;
   for (Index face = 0; face < faces.Count(); ++face)
@@ -371,7 +371,7 @@ std::vector<Repair> ArcEmbedder::Run(const std::vector<Index>& forced)
 }
 
 std::vector<Repair> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
-  const Execution& execution, Crossings& crossings, NodeGraph& graph,
+  const Execution& execution, GridCrossings& crossings, NodeGraph& graph,
   const std::vector<Index>& forced)
 {
   const ArcGeometry geometry{ grid, nodes, crossings, graph };

@@ -23,7 +23,7 @@ namespace orthoslices
  * NodeGraph::Redrawn.
  */
 std::vector<Repair> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
-  const Execution& execution, Crossings& crossings, NodeGraph& graph,
+  const Execution& execution, GridCrossings& crossings, NodeGraph& graph,
   const std::vector<Index>& forced = {});
 }
 

@@ -9,7 +9,7 @@ namespace orthoslices
 {
 namespace
 {
-Face FaceOf(const GridEdgeCode& code, const Crossings& crossings, Index arc)
+Face FaceOf(const GridEdgeCode& code, const GridCrossings& crossings, Index arc)
 {
   const GridEdge edge = code.Decode(crossings.Edge[arc]);
   const Index beyond = crossings.Direction[arc] > 0 ? 1 : 0;
@@ -32,7 +32,7 @@ struct ArcInSlice
 };
 
 /// The arcs that are not removed by slice: slice s has those from offsets[s] to offsets[s + 1] - 1.
-std::vector<ArcInSlice> GroupBySlice(const SpatialGrid& grid, const Crossings& crossings,
+std::vector<ArcInSlice> GroupBySlice(const SpatialGrid& grid, const GridCrossings& crossings,
   const Execution& execution, std::vector<std::size_t>& offsets)
 {
   const GridEdgeCode code(grid);
@@ -45,15 +45,15 @@ std::vector<ArcInSlice> GroupBySlice(const SpatialGrid& grid, const Crossings& c
       {
         const Index arc = static_cast<Index>(i);
         const Face face = FaceOf(code, crossings, arc);
-        slice[i] =
-          crossings.IsRemoved(arc) ? Crossings::Removed : grid.SliceNumber(face.Axis, face.Plane);
+        slice[i] = crossings.IsRemoved(arc) ? GridCrossings::Removed
+                                            : grid.SliceNumber(face.Axis, face.Plane);
         inOrder[i] = { SlabCode(face), arc };
       }
     });
   offsets.assign(grid.SliceNumber(2, grid.Count(2)) + 1, 0);
   for (const Index s : slice)
   {
-    if (s != Crossings::Removed)
+    if (s != GridCrossings::Removed)
     {
       ++offsets[s + 1];
     }
@@ -63,7 +63,7 @@ std::vector<ArcInSlice> GroupBySlice(const SpatialGrid& grid, const Crossings& c
   std::vector<ArcInSlice> bySlice(offsets.back());
   for (std::size_t i = 0; i < slice.size(); ++i)
   {
-    if (slice[i] != Crossings::Removed)
+    if (slice[i] != GridCrossings::Removed)
     {
       bySlice[place[slice[i]]++] = inOrder[i];
     }
@@ -73,7 +73,7 @@ std::vector<ArcInSlice> GroupBySlice(const SpatialGrid& grid, const Crossings& c
 }
 
 ArcsByFace GroupArcsByFace(
-  const SpatialGrid& grid, const Crossings& crossings, const Execution& execution)
+  const SpatialGrid& grid, const GridCrossings& crossings, const Execution& execution)
 {
   std::vector<std::size_t> slices;
   std::vector<ArcInSlice> arcs = GroupBySlice(grid, crossings, execution, slices);
@@ -111,7 +111,7 @@ ArcsByFace GroupArcsByFace(
   return result;
 }
 
-int BorderEdge(const Crossings& crossings, Index crossing, bool isStart)
+int BorderEdge(const GridCrossings& crossings, Index crossing, bool isStart)
 {
   // An arc that starts upwards starts at the lower border; one that ends upwards ends at the
   // upper one.

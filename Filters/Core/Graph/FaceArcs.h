@@ -36,7 +36,7 @@ struct ArcsByFace
 };
 
 ArcsByFace GroupArcsByFace(
-  const SpatialGrid& grid, const Crossings& crossings, const Execution& execution);
+  const SpatialGrid& grid, const GridCrossings& crossings, const Execution& execution);
 
 /// Arcs that get other points, those of a face together, and the repair that this is.
 struct Drawing
@@ -52,11 +52,11 @@ struct ArcGeometry
 {
   const SpatialGrid& Grid;
   const NodePoints& Nodes;
-  Crossings& Lattice;
+  GridCrossings& Crossings;
   NodeGraph& Graph;
 
   Index StartNode(Index arc) const { return this->Nodes.NodeOf[arc]; }
-  Index EndNode(Index arc) const { return this->Nodes.NodeOf[this->Lattice.Next[arc]]; }
+  Index EndNode(Index arc) const { return this->Nodes.NodeOf[this->Crossings.Next[arc]]; }
 
   /// A point of G in the axes of the face.
   Point2 InPlane(const Face& face, Index point) const
@@ -90,8 +90,8 @@ struct ArcGeometry
   /// Lets an arc lead to another crossing. All arcs of a face must be joined again.
   void Join(Index arc, Index stop) const
   {
-    this->Lattice.Next[arc] = stop;
-    this->Lattice.Previous[stop] = arc;
+    this->Crossings.Next[arc] = stop;
+    this->Crossings.Previous[stop] = arc;
   }
 };
 
@@ -99,7 +99,7 @@ struct ArcGeometry
  * The edge of its face on which the start or the end of an arc lies, counter-clockwise from the
  * lower one: 0 and 2 are those along FirstAxis, 1 and 3 along SecondAxis.
  */
-int BorderEdge(const Crossings& crossings, Index crossing, bool isStart);
+int BorderEdge(const GridCrossings& crossings, Index crossing, bool isStart);
 }
 
 #endif

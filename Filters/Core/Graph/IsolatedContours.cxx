@@ -15,7 +15,7 @@ namespace
 {
 /// Of a contour that has lost all of its node points, a part of at least this share of its area
 /// is isolated: no more than a bulge was cut off.
-constexpr double LeastShare = 0.75;
+constexpr double MinShare = 0.75;
 
 /// The contour in its plane.
 std::vector<Point2> PolygonOf(const IsolatedContours& isolated, Index contour)
@@ -38,9 +38,9 @@ double AreaOf(const IsolatedContours& isolated, Index contour)
 
 /// Calls the function with the contours of which a chain of runs has vertices.
 template <typename Visit>
-void VisitContours(const Crossings& crossings, Index firstRun, Visit&& visit)
+void VisitContours(const GridCrossings& crossings, Index firstRun, Visit&& visit)
 {
-  for (Index run = firstRun; run != Crossings::None; run = crossings.RunNext[run])
+  for (Index run = firstRun; run != GridCrossings::None; run = crossings.RunNext[run])
   {
     if (crossings.RunCount[run] > 0)
     {
@@ -61,7 +61,7 @@ double AreaOf(const Contours& contours, Index contour)
 
 /// Of contours that have lost all of their node points and little else, the rest is not left out.
 void KeepLargestParts(const std::vector<IsolatedLoop>& loops, const Contours& contours,
-  const Crossings& crossings, IsolatedContours& isolated)
+  const GridCrossings& crossings, IsolatedContours& isolated)
 {
   std::vector<std::uint8_t> hasNodes(contours.Count(), 0);
   for (Index arc = 0; arc < crossings.Count(); ++arc)
@@ -89,7 +89,7 @@ void KeepLargestParts(const std::vector<IsolatedLoop>& loops, const Contours& co
   for (Index contour = 0; contour < contours.Count(); ++contour)
   {
     if (hasNodes[contour] == 0 && largest[contour] != IsolatedContours::None &&
-      areas[contour] >= LeastShare * AreaOf(contours, contour))
+      areas[contour] >= MinShare * AreaOf(contours, contour))
     {
       isolated.LeftOut[largest[contour]] = 0;
     }
@@ -98,7 +98,7 @@ void KeepLargestParts(const std::vector<IsolatedLoop>& loops, const Contours& co
 }
 
 IsolatedContours CopyIsolated(const std::vector<IsolatedLoop>& loops, const Contours& contours,
-  const Crossings& crossings, bool keepGrazing)
+  const GridCrossings& crossings, bool keepGrazing)
 {
   IsolatedContours isolated;
   const auto add = [&](Index contour, Index first, Index count)
@@ -114,11 +114,11 @@ IsolatedContours CopyIsolated(const std::vector<IsolatedLoop>& loops, const Cont
   for (const IsolatedLoop& loop : loops)
   {
     Index member = loop.Contour;
-    if (loop.FirstRun == Crossings::None)
+    if (loop.FirstRun == GridCrossings::None)
     {
       add(member, contours.Offsets[member], contours.Size(member));
     }
-    for (Index run = loop.FirstRun; run != Crossings::None; run = crossings.RunNext[run])
+    for (Index run = loop.FirstRun; run != GridCrossings::None; run = crossings.RunNext[run])
     {
       if (crossings.RunCount[run] > 0)
       {
@@ -129,7 +129,7 @@ IsolatedContours CopyIsolated(const std::vector<IsolatedLoop>& loops, const Cont
     isolated.Offsets.push_back(static_cast<Index>(isolated.Points.size() / 3));
     isolated.Axis.push_back(contours.Axis[member]);
     isolated.Plane.push_back(contours.Plane[member]);
-    isolated.LeftOut.push_back(loop.FirstRun == Crossings::None ? 0 : 1);
+    isolated.LeftOut.push_back(loop.FirstRun == GridCrossings::None ? 0 : 1);
   }
   isolated.Loop.assign(isolated.Axis.size(), IsolatedContours::None);
   if (keepGrazing)
@@ -168,7 +168,7 @@ public:
   {
   }
 
-  void Run(double least);
+  void Run(double minimum);
 
 private:
   double SizeOf(Index contour) const;
@@ -244,7 +244,7 @@ Candidate LoopEmbedder::Read(Index contour) const
 /// The arcs on the faces of the candidates, which are in the order of faces.
 std::vector<FaceArcs> LoopEmbedder::FindArcs(const std::vector<Candidate>& candidates)
 {
-  this->Arcs = GroupArcsByFace(this->Geometry.Grid, this->Geometry.Lattice, this->Execute);
+  this->Arcs = GroupArcsByFace(this->Geometry.Grid, this->Geometry.Crossings, this->Execute);
   std::vector<FaceArcs> found;
   for (const Candidate& candidate : candidates)
   {
@@ -359,7 +359,7 @@ void LoopEmbedder::AddLoops(const std::vector<Candidate>& candidates) const
   }
 }
 
-void LoopEmbedder::Run(double least)
+void LoopEmbedder::Run(double minimum)
 {
   NodeGraph& graph = this->Geometry.Graph;
   graph.Loops.clear();
@@ -369,7 +369,7 @@ void LoopEmbedder::Run(double least)
   std::vector<Candidate> candidates;
   for (Index contour = 0; contour < this->Isolated.Count(); ++contour)
   {
-    if (this->Isolated.LeftOut[contour] == 0 && this->SizeOf(contour) >= least)
+    if (this->Isolated.LeftOut[contour] == 0 && this->SizeOf(contour) >= minimum)
     {
       candidates.push_back(this->Read(contour));
     }
@@ -404,9 +404,9 @@ void LoopEmbedder::Run(double least)
 }
 
 void EmbedIsolated(const SpatialGrid& grid, const NodePoints& nodes, const Execution& execution,
-  double least, Crossings& crossings, IsolatedContours& isolated, NodeGraph& graph)
+  double minimum, GridCrossings& crossings, IsolatedContours& isolated, NodeGraph& graph)
 {
-  LoopEmbedder({ grid, nodes, crossings, graph }, execution, isolated).Run(least);
+  LoopEmbedder({ grid, nodes, crossings, graph }, execution, isolated).Run(minimum);
 }
 
 double ThicknessOf(const IsolatedContours& isolated, Index contour)

@@ -30,7 +30,7 @@ struct IsolatedContours
  * the rest of it stays, if `keepGrazing`: where the slices agree otherwise.
  */
 IsolatedContours CopyIsolated(const std::vector<IsolatedLoop>& loops, const Contours& contours,
-  const Crossings& crossings, bool keepGrazing = true);
+  const GridCrossings& crossings, bool keepGrazing = true);
 
 /// Area of a contour, as a part of its length.
 double ThicknessOf(const IsolatedContours& isolated, Index contour);
@@ -46,7 +46,7 @@ Index CountLeftOut(const IsolatedContours& isolated);
  * diagonal of less than `least`. Loops that G had before are replaced. REQUIRES: EmbedArcs has run.
  */
 void EmbedIsolated(const SpatialGrid& grid, const NodePoints& nodes, const Execution& execution,
-  double least, Crossings& crossings, IsolatedContours& isolated, NodeGraph& graph);
+  double minimum, GridCrossings& crossings, IsolatedContours& isolated, NodeGraph& graph);
 }
 
 #endif

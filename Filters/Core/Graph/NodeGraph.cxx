@@ -35,12 +35,12 @@ struct EndShift
 class GraphBuilder
 {
 public:
-  GraphBuilder(const Contours& contours, const SpatialGrid& grid, const Crossings& crossings,
+  GraphBuilder(const Contours& contours, const SpatialGrid& grid, const GridCrossings& crossings,
     const NodePoints& nodes, double tolerance)
     : Set(contours)
     , Grid(grid)
     , Code(grid)
-    , Lattice(crossings)
+    , Crossings(crossings)
     , Nodes(nodes)
     , Tolerance(tolerance)
   {
@@ -61,7 +61,7 @@ private:
   const Contours& Set;
   const SpatialGrid& Grid;
   GridEdgeCode Code;
-  const Crossings& Lattice;
+  const GridCrossings& Crossings;
   const NodePoints& Nodes;
   double Tolerance;
 };
@@ -70,30 +70,30 @@ bool GraphBuilder::IsAtCrossing(Index contour, Index vertex, Index crossing) con
 {
   // On the crossed plane and at the crossing's position along the edge: the same point of the
   // slice.
-  const GridEdge edge = this->Code.Decode(this->Lattice.Edge[crossing]);
+  const GridEdge edge = this->Code.Decode(this->Crossings.Edge[crossing]);
   const int axis = this->Set.Axis[contour];
   const bool alongV = edge.Direction == SecondAxis(axis);
   const double across = alongV ? this->Set.U[vertex] : this->Set.V[vertex];
   const double along = alongV ? this->Set.V[vertex] : this->Set.U[vertex];
   const int crossed = alongV ? FirstAxis(axis) : SecondAxis(axis);
   const Index plane = alongV ? edge.Second : edge.First;
-  return along == this->Lattice.Position[crossing] && across == this->Grid.Planes[crossed][plane];
+  return along == this->Crossings.Position[crossing] && across == this->Grid.Planes[crossed][plane];
 }
 
 template <typename Visit>
 void GraphBuilder::VisitArc(Index arc, Visit&& visit) const
 {
-  const Index endCrossing = this->Lattice.Next[arc];
-  for (Index run = arc; run != Crossings::None; run = this->Lattice.RunNext[run])
+  const Index endCrossing = this->Crossings.Next[arc];
+  for (Index run = arc; run != GridCrossings::None; run = this->Crossings.RunNext[run])
   {
-    const Index contour = this->Lattice.RunContour[run];
-    const Index count = this->Lattice.RunCount[run];
+    const Index contour = this->Crossings.RunContour[run];
+    const Index count = this->Crossings.RunCount[run];
     for (Index i = 0; i < count; ++i)
     {
-      Index vertex = this->Lattice.RunFirst[run] + i;
+      Index vertex = this->Crossings.RunFirst[run] + i;
       vertex -= vertex >= this->Set.Offsets[contour + 1] ? this->Set.Size(contour) : 0;
       const bool first = run == arc && i == 0;
-      const bool last = i + 1 == count && this->Lattice.RunNext[run] == Crossings::None;
+      const bool last = i + 1 == count && this->Crossings.RunNext[run] == GridCrossings::None;
       if ((first && this->IsAtCrossing(contour, vertex, arc)) ||
         (last && this->IsAtCrossing(contour, vertex, endCrossing)))
       {
@@ -120,9 +120,9 @@ EndShift GraphBuilder::Displacement(Index crossing) const
   {
     return shift;
   }
-  const GridEdge edge = this->Code.Decode(this->Lattice.Edge[crossing]);
+  const GridEdge edge = this->Code.Decode(this->Crossings.Edge[crossing]);
   shift.Axis = edge.Direction;
-  shift.From = this->Lattice.Position[crossing];
+  shift.From = this->Crossings.Position[crossing];
   shift.Amount = this->Nodes.Position[node] - shift.From;
   const auto& planes = this->Grid.Planes[shift.Axis];
   shift.Low = edge.Slab > 0 ? planes[edge.Slab - 1] : shift.Low;
@@ -150,7 +150,7 @@ double Distance(const double* a, const double* b)
 /// Moves the vertices of an arc with its ends, by shares that are linear along its length.
 void GraphBuilder::Fade(Index arc, double* begin, double* end) const
 {
-  const Index last = this->Lattice.Next[arc];
+  const Index last = this->Crossings.Next[arc];
   const EndShift atStart = this->Displacement(arc);
   const EndShift atEnd = this->Displacement(last);
   if (begin == end || (atStart.Amount == 0.0 && atEnd.Amount == 0.0))
@@ -160,7 +160,7 @@ void GraphBuilder::Fade(Index arc, double* begin, double* end) const
   const auto place = [&](Index crossing)
   {
     return CrossingPoint(
-      this->Grid, this->Code, this->Lattice.Edge[crossing], this->Lattice.Position[crossing]);
+      this->Grid, this->Code, this->Crossings.Edge[crossing], this->Crossings.Position[crossing]);
   };
   const Point3 start = place(arc);
   const Point3 stop = place(last);
@@ -190,9 +190,9 @@ void GraphBuilder::Fade(Index arc, double* begin, double* end) const
 NodeGraph GraphBuilder::Run(const Execution& execution)
 {
   NodeGraph graph;
-  const std::size_t arcs = this->Lattice.Count();
+  const std::size_t arcs = this->Crossings.Count();
   graph.Nodes = this->Nodes.Count();
-  graph.Arcs = this->Lattice.Count();
+  graph.Arcs = this->Crossings.Count();
   graph.Offsets.assign(arcs + 1, 0);
   execution.For(arcs,
     [&](std::size_t begin, std::size_t end)
@@ -200,7 +200,7 @@ NodeGraph GraphBuilder::Run(const Execution& execution)
       for (std::size_t arc = begin; arc < end; ++arc)
       {
         const Index a = static_cast<Index>(arc);
-        graph.Offsets[arc + 1] = this->Lattice.IsRemoved(a) ? 0 : this->CountPoints(a);
+        graph.Offsets[arc + 1] = this->Crossings.IsRemoved(a) ? 0 : this->CountPoints(a);
       }
     });
   std::partial_sum(graph.Offsets.begin(), graph.Offsets.end(), graph.Offsets.begin());
@@ -211,7 +211,7 @@ NodeGraph GraphBuilder::Run(const Execution& execution)
       for (std::size_t node = begin; node < end; ++node)
       {
         const Point3 point = NodePosition(
-          this->Grid, this->Code, this->Lattice, this->Nodes, static_cast<Index>(node));
+          this->Grid, this->Code, this->Crossings, this->Nodes, static_cast<Index>(node));
         std::copy(point.begin(), point.end(), graph.Points.begin() + 3 * node);
       }
     });
@@ -220,7 +220,7 @@ NodeGraph GraphBuilder::Run(const Execution& execution)
     {
       for (std::size_t arc = begin; arc < end; ++arc)
       {
-        if (!this->Lattice.IsRemoved(static_cast<Index>(arc)))
+        if (!this->Crossings.IsRemoved(static_cast<Index>(arc)))
         {
           const std::size_t first = graph.FirstPoint(static_cast<Index>(arc));
           this->WriteArc(static_cast<Index>(arc), graph.Points.data() + 3 * first);
@@ -232,13 +232,14 @@ NodeGraph GraphBuilder::Run(const Execution& execution)
 }
 
 NodeGraph BuildNodeGraph(const Contours& contours, const SpatialGrid& grid,
-  const Crossings& crossings, const NodePoints& nodes, double tolerance, const Execution& execution)
+  const GridCrossings& crossings, const NodePoints& nodes, double tolerance,
+  const Execution& execution)
 {
   return GraphBuilder(contours, grid, crossings, nodes, tolerance).Run(execution);
 }
 
 DisjointSets ConnectArcs(
-  const Crossings& crossings, const NodePoints& nodes, const NodeGraph& graph)
+  const GridCrossings& crossings, const NodePoints& nodes, const NodeGraph& graph)
 {
   DisjointSets parts(graph.Nodes + static_cast<Index>(graph.Loops.size()));
   for (Index arc = 0; arc < crossings.Count(); ++arc)

@@ -46,12 +46,12 @@ struct NodeGraph
  * elsewhere they stay as they are, bit for bit.
  */
 NodeGraph BuildNodeGraph(const Contours& contours, const SpatialGrid& grid,
-  const Crossings& crossings, const NodePoints& nodes, double tolerance,
+  const GridCrossings& crossings, const NodePoints& nodes, double tolerance,
   const Execution& execution);
 
 /// The connected parts of G: nodes joined by arcs, then each loop by itself.
 DisjointSets ConnectArcs(
-  const Crossings& crossings, const NodePoints& nodes, const NodeGraph& graph);
+  const GridCrossings& crossings, const NodePoints& nodes, const NodeGraph& graph);
 
 /// Numbers the sets from 0 by their least members: the components of the surface.
 void FindComponents(DisjointSets& parts, NodeGraph& graph);

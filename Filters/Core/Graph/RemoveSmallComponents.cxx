@@ -13,9 +13,9 @@ namespace
 class ComponentRemover
 {
 public:
-  ComponentRemover(Crossings& crossings, NodePoints& nodes, std::vector<double>& nodeNormals,
+  ComponentRemover(GridCrossings& crossings, NodePoints& nodes, std::vector<double>& nodeNormals,
     IsolatedContours& isolated, NodeGraph& graph)
-    : Lattice(crossings)
+    : Crossings(crossings)
     , Nodes(nodes)
     , NodeNormals(nodeNormals)
     , Isolated(isolated)
@@ -31,7 +31,7 @@ private:
   void RemoveNodes();
   void RemovePoints();
 
-  Crossings& Lattice;
+  GridCrossings& Crossings;
   NodePoints& Nodes;
   std::vector<double>& NodeNormals;
   IsolatedContours& Isolated;
@@ -92,7 +92,7 @@ void ComponentRemover::RemovePoints()
   }
   for (Index arc = 0; arc < this->Graph.Arcs; ++arc)
   {
-    if (!this->Lattice.IsRemoved(arc) && !this->IsSmall(this->Nodes.NodeOf[arc]))
+    if (!this->Crossings.IsRemoved(arc) && !this->IsSmall(this->Nodes.NodeOf[arc]))
     {
       copy(this->Graph.FirstPoint(arc), this->Graph.PointCount(arc));
     }
@@ -134,8 +134,9 @@ void ComponentRemover::RemoveNodes()
     const bool small = this->IsSmall(node);
     for (const Index crossing : { nodes.First[node], nodes.Second[node] })
     {
-      nodes.NodeOf[crossing] = small ? Crossings::None : kept;
-      this->Lattice.Next[crossing] = small ? Crossings::Removed : this->Lattice.Next[crossing];
+      nodes.NodeOf[crossing] = small ? GridCrossings::None : kept;
+      this->Crossings.Next[crossing] =
+        small ? GridCrossings::Removed : this->Crossings.Next[crossing];
     }
     if (!small)
     {
@@ -169,7 +170,7 @@ Index ComponentRemover::Run(double size)
 }
 }
 
-Index RemoveSmallComponents(double size, Crossings& crossings, NodePoints& nodes,
+Index RemoveSmallComponents(double size, GridCrossings& crossings, NodePoints& nodes,
   std::vector<double>& nodeNormals, IsolatedContours& isolated, NodeGraph& graph)
 {
   return ComponentRemover(crossings, nodes, nodeNormals, isolated, graph).Run(size);

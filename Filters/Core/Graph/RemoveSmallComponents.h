@@ -12,7 +12,7 @@ namespace orthoslices
  * arcs and loops are numbered anew; `nodeNormals` follow, and isolated contours lose their loops.
  * Returns how many there were. REQUIRES: FindComponents has run.
  */
-Index RemoveSmallComponents(double size, Crossings& crossings, NodePoints& nodes,
+Index RemoveSmallComponents(double size, GridCrossings& crossings, NodePoints& nodes,
   std::vector<double>& nodeNormals, IsolatedContours& isolated, NodeGraph& graph);
 }
 

@@ -48,7 +48,7 @@ void MarkKept(const std::vector<Point3>& points, double tolerance, std::vector<s
 }
 }
 
-void ThinArcs(double tolerance, const Crossings& crossings, const NodePoints& nodes,
+void ThinArcs(double tolerance, const GridCrossings& crossings, const NodePoints& nodes,
   const Execution& execution, NodeGraph& graph)
 {
   if (!(tolerance > 0.0))

@@ -12,7 +12,7 @@ namespace orthoslices
  * that stay (D. H. Douglas and T. K. Peucker, 1973). Node points stay, and both patches beside an
  * arc have what is left: no cracks. 0 leaves everything as it is.
  */
-void ThinArcs(double tolerance, const Crossings& crossings, const NodePoints& nodes,
+void ThinArcs(double tolerance, const GridCrossings& crossings, const NodePoints& nodes,
   const Execution& execution, NodeGraph& graph);
 }
 

@@ -14,7 +14,7 @@ namespace
  * on whose upper or lower side the cell lies: on the upper side the cycle goes on along that
  * contour, on the lower side it goes back.
  */
-HalfArc NextHalfArc(const Crossings& crossings, const NodePoints& nodes, const HalfArc& half)
+HalfArc NextHalfArc(const GridCrossings& crossings, const NodePoints& nodes, const HalfArc& half)
 {
   const Index end = half.Above ? crossings.Next[half.Arc] : half.Arc;
   const Index other = nodes.Partner(crossings, end);
@@ -24,7 +24,7 @@ HalfArc NextHalfArc(const Crossings& crossings, const NodePoints& nodes, const H
 }
 
 std::array<Index, 3> CellOf(
-  const GridEdgeCode& code, const Crossings& crossings, const HalfArc& half)
+  const GridEdgeCode& code, const GridCrossings& crossings, const HalfArc& half)
 {
   // The start of the arc: its edge, the side of the crossed plane it goes to, the side of its
   // slice.
@@ -41,11 +41,11 @@ std::array<Index, 3> CellOf(
 }
 }
 
-Cycles TraceCycles(const SpatialGrid& grid, const Crossings& crossings, const NodePoints& nodes,
-  const NodeGraph& graph)
+CellCycles TraceCycles(const SpatialGrid& grid, const GridCrossings& crossings,
+  const NodePoints& nodes, const NodeGraph& graph)
 {
   const GridEdgeCode code(grid);
-  Cycles cycles;
+  CellCycles cycles;
   cycles.Arcs.reserve(2 * static_cast<std::size_t>(crossings.Count()));
   std::vector<std::uint8_t> visited(2 * static_cast<std::size_t>(crossings.Count()), 0);
   const auto mark = [&](const HalfArc& half) -> std::uint8_t&
@@ -86,8 +86,8 @@ Cycles TraceCycles(const SpatialGrid& grid, const Crossings& crossings, const No
   return cycles;
 }
 
-void GetBoundary(const NodeGraph& graph, const Crossings& crossings, const NodePoints& nodes,
-  const Cycles& cycles, Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces)
+void GetBoundary(const NodeGraph& graph, const GridCrossings& crossings, const NodePoints& nodes,
+  const CellCycles& cycles, Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces)
 {
   points.clear();
   nodePlaces.clear();
@@ -110,7 +110,8 @@ void GetBoundary(const NodeGraph& graph, const Crossings& crossings, const NodeP
   }
 }
 
-CellGroups GroupByCell(const SpatialGrid& grid, const Cycles& cycles, const Execution& execution)
+CellGroups GroupByCell(
+  const SpatialGrid& grid, const CellCycles& cycles, const Execution& execution)
 {
   // Layer by layer along the first axis; sorting the cells of a layer is quick.
   std::vector<Index> layers(grid.Count(0) + 2, 0);
@@ -153,11 +154,11 @@ CellGroups GroupByCell(const SpatialGrid& grid, const Cycles& cycles, const Exec
   return groups;
 }
 
-std::vector<Index> CountPolygonSizes(const Cycles& cycles, const NodeGraph& graph)
+std::vector<Index> CountPolygonSizes(const CellCycles& cycles, const NodeGraph& graph)
 {
   std::vector<Index> histogram;
-  const Index polygons = cycles.Count() - 2 * static_cast<Index>(graph.Loops.size());
-  for (Index i = 0; i < polygons; ++i)
+  const Index count = cycles.Count() - 2 * static_cast<Index>(graph.Loops.size());
+  for (Index i = 0; i < count; ++i)
   {
     const std::size_t size = cycles.Size(i);
     histogram.resize(std::max(histogram.size(), size + 1), 0);

@@ -23,7 +23,7 @@ struct HalfArc
  * The cycles of node points come first, then two for each loop of G, which has none: below its
  * slice and above.
  */
-struct Cycles
+struct CellCycles
 {
   std::vector<HalfArc> Arcs;
   std::vector<Index> Offsets{ 0 };
@@ -39,11 +39,11 @@ struct Cycles
  * and every arc is part of exactly one cycle on each side of its slice: the surface is closed by
  * construction.
  */
-Cycles TraceCycles(const SpatialGrid& grid, const Crossings& crossings, const NodePoints& nodes,
-  const NodeGraph& graph);
+CellCycles TraceCycles(const SpatialGrid& grid, const GridCrossings& crossings,
+  const NodePoints& nodes, const NodeGraph& graph);
 
 /// Node at which a half-arc starts, in the direction of its cycle. REQUIRES: no loop.
-inline Index StartNode(const Crossings& crossings, const NodePoints& nodes, const HalfArc& half)
+inline Index StartNode(const GridCrossings& crossings, const NodePoints& nodes, const HalfArc& half)
 {
   return nodes.NodeOf[half.Above ? half.Arc : crossings.Next[half.Arc]];
 }
@@ -52,8 +52,9 @@ inline Index StartNode(const Crossings& crossings, const NodePoints& nodes, cons
  * The points of G around a cycle, in its direction, and where the nodes are among them: node i of
  * the cycle is points[nodePlaces[i]]; a loop has none. Reuses the memory of both vectors.
  */
-void GetBoundary(const NodeGraph& graph, const Crossings& crossings, const NodePoints& nodes,
-  const Cycles& cycles, Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces);
+void GetBoundary(const NodeGraph& graph, const GridCrossings& crossings, const NodePoints& nodes,
+  const CellCycles& cycles, Index cycle, std::vector<Index>& points,
+  std::vector<Index>& nodePlaces);
 
 /// Cycles ordered by cell, and the range of each cell that has two or more of them.
 struct CellGroups
@@ -62,10 +63,11 @@ struct CellGroups
   std::vector<std::pair<Index, Index>> Several;
 };
 
-CellGroups GroupByCell(const SpatialGrid& grid, const Cycles& cycles, const Execution& execution);
+CellGroups GroupByCell(
+  const SpatialGrid& grid, const CellCycles& cycles, const Execution& execution);
 
 /// Entry i counts the cycles with i node points (the paper's Figure 8); loops are not counted.
-std::vector<Index> CountPolygonSizes(const Cycles& cycles, const NodeGraph& graph);
+std::vector<Index> CountPolygonSizes(const CellCycles& cycles, const NodeGraph& graph);
 }
 
 #endif

@@ -25,11 +25,11 @@ class ContourTangent
 {
 public:
   ContourTangent(const Contours& contours, const SpatialGrid& grid, const GridEdgeCode& code,
-    const Crossings& crossings)
+    const GridCrossings& crossings)
     : Set(contours)
     , Grid(grid)
     , Code(code)
-    , Lattice(crossings)
+    , Crossings(crossings)
   {
   }
 
@@ -43,7 +43,7 @@ private:
   const Contours& Set;
   const SpatialGrid& Grid;
   const GridEdgeCode& Code;
-  const Crossings& Lattice;
+  const GridCrossings& Crossings;
 };
 
 /// The difference to the first vertex, from the given one on, that is at least `window` away.
@@ -69,19 +69,19 @@ ContourTangent::Vector2 ContourTangent::Farther(
 
 Point3 ContourTangent::operator()(Index crossing) const
 {
-  const Index contour = this->Lattice.RunContour[crossing];
-  if (contour == Crossings::None)
+  const Index contour = this->Crossings.RunContour[crossing];
+  if (contour == GridCrossings::None)
   {
     return { 0.0, 0.0, 0.0 };
   }
   const int u = FirstAxis(this->Set.Axis[contour]);
   const int v = SecondAxis(this->Set.Axis[contour]);
   const Point3 at = CrossingPoint(
-    this->Grid, this->Code, this->Lattice.Edge[crossing], this->Lattice.Position[crossing]);
+    this->Grid, this->Code, this->Crossings.Edge[crossing], this->Crossings.Position[crossing]);
   const Vector2 from{ at[u], at[v] };
   const double window =
     TangentWindow * std::min(this->Grid.MeanSpacing(u), this->Grid.MeanSpacing(v));
-  const Index after = this->Lattice.RunFirst[crossing];
+  const Index after = this->Crossings.RunFirst[crossing];
   const Index begin = this->Set.Offsets[contour];
   const Index before = after == begin ? this->Set.Offsets[contour + 1] - 1 : after - 1;
   const Vector2 f = this->Farther(contour, after, 1, from, window);
@@ -120,7 +120,7 @@ public:
 
   Point3 Centroid();
   Point3 LeastSquares();
-  Point3 Dome(int axis, double most);
+  Point3 Dome(int axis, double maximum);
 
 private:
   Point3 MeanNormal() const;
@@ -151,7 +151,7 @@ Point3 PolygonCenter::Centroid()
  * Over a loop, towards +axis or, if `most` is negative, -axis: as high as the loop is wide, as if
  * the surface was round, but not higher than `most`.
  */
-Point3 PolygonCenter::Dome(int axis, double most)
+Point3 PolygonCenter::Dome(int axis, double maximum)
 {
   Point3 apex = this->Centroid();
   double radius2 = 0.0;
@@ -160,7 +160,7 @@ Point3 PolygonCenter::Dome(int axis, double most)
     const Point3 d = this->Points[i] - apex;
     radius2 += this->Weights[i] * Dot(d, d);
   }
-  apex[axis] += std::copysign(std::min(std::sqrt(radius2), std::abs(most)), most);
+  apex[axis] += std::copysign(std::min(std::sqrt(radius2), std::abs(maximum)), maximum);
   return apex;
 }
 
@@ -243,7 +243,7 @@ Point3 OutwardNormal(const Point3& first, int firstAxis, const Point3& second, i
 }
 
 std::vector<double> ComputeNodeNormals(const Contours& contours, const SpatialGrid& grid,
-  const Crossings& crossings, const NodePoints& nodes, const Execution& execution)
+  const GridCrossings& crossings, const NodePoints& nodes, const Execution& execution)
 {
   const GridEdgeCode code(grid);
   const ContourTangent tangent(contours, grid, code, crossings);
@@ -268,7 +268,7 @@ std::vector<double> LocateCentralPoints(CentralPointMethod method, const CycleGe
 {
   const SpatialGrid& grid = geometry.Grid;
   const NodeGraph& graph = geometry.Graph;
-  const Cycles& cycles = geometry.Polygons;
+  const CellCycles& cycles = geometry.Cycles;
   std::vector<double> centers(3 * static_cast<std::size_t>(cycles.Count()));
   execution.For(cycles.Count(),
     [&](std::size_t begin, std::size_t end)
@@ -283,8 +283,8 @@ std::vector<double> LocateCentralPoints(CentralPointMethod method, const CycleGe
         if (graph.IsLoop(half.Arc))
         {
           const int axis = graph.Loops[half.Arc - graph.Arcs].Axis;
-          const double most = HighestDome * grid.Width(axis, cycles.Cell[cycle][axis]);
-          center = polygon.Dome(axis, half.Above ? most : -most);
+          const double maximum = HighestDome * grid.Width(axis, cycles.Cell[cycle][axis]);
+          center = polygon.Dome(axis, half.Above ? maximum : -maximum);
         }
         else
         {

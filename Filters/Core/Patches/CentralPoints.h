@@ -35,7 +35,7 @@ Point3 OutwardNormal(const Point3& first, int firstAxis, const Point3& second, i
  * unknown.
  */
 std::vector<double> ComputeNodeNormals(const Contours& contours, const SpatialGrid& grid,
-  const Crossings& crossings, const NodePoints& nodes, const Execution& execution);
+  const GridCrossings& crossings, const NodePoints& nodes, const Execution& execution);
 
 /**
  * One central point for each cycle (the paper's section 5), x, y, z of each, inside the closed

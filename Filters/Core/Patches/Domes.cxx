@@ -92,13 +92,13 @@ private:
 /// Whether the surface at all node points faces up or all down.
 bool DomeFit::IsHeightFunction(const DomeBase& base) const
 {
-  constexpr double least = 0.1; // else nearly upright
+  constexpr double minimum = 0.1; // else nearly upright
   double side = 0.0;
   for (const Index place : this->NodePlaces)
   {
     const Point3 normal = this->NormalAt(this->Border[place]);
     const double up = normal[base.Axis];
-    if (!(std::abs(up) > least * Length(normal)) || up * side < 0.0)
+    if (!(std::abs(up) > minimum * Length(normal)) || up * side < 0.0)
     {
       return false;
     }
@@ -149,7 +149,7 @@ double DomeFit::HeightOver(const DomeBase& base, Index polygon)
 void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
   const std::vector<double>& nodeNormals, std::vector<double>& centralPoints)
 {
-  const Cycles& cycles = geometry.Polygons;
+  const CellCycles& cycles = geometry.Cycles;
   // The cycles of each loop, below its slice and above.
   std::vector<std::array<Index, 2>> sides(geometry.Graph.Loops.size(), { -1, -1 });
   for (Index cycle = 0; cycle < cycles.Count() && !sides.empty(); ++cycle)
@@ -201,7 +201,7 @@ std::vector<double> TiltOfDomes(const CycleGeometry& geometry,
   {
     return tilts;
   }
-  std::vector<std::uint8_t> isJoined(static_cast<std::size_t>(geometry.Polygons.Count()), 0);
+  std::vector<std::uint8_t> isJoined(static_cast<std::size_t>(geometry.Cycles.Count()), 0);
   for (const PatchMesh& mesh : meshes)
   {
     for (const Index cycle : mesh.Cycles)
@@ -211,7 +211,7 @@ std::vector<double> TiltOfDomes(const CycleGeometry& geometry,
   }
   std::vector<int> domes(tilts.size(), 0);
   DomeBase base;
-  for (Index cycle = 0; cycle < geometry.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < geometry.Cycles.Count(); ++cycle)
   {
     if (!geometry.IsLoop(cycle) || isJoined[cycle] != 0)
     {

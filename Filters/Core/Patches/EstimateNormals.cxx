@@ -17,13 +17,13 @@ namespace
 constexpr double MergedNodes = 0.2;
 
 /// Sine of the angle between the contours of a node point below which they give no normal.
-constexpr double LeastSine = 0.15;
+constexpr double MinSine = 0.15;
 
 /// Tilt (radians) beyond which the slope over the slice is interpolated instead.
-constexpr double LeastSteepTilt = 0.5;
+constexpr double MinSteepTilt = 0.5;
 
 /// Component across the slice of the unit normals from which the slope over the slice is known.
-constexpr double LeastUp = 0.45;
+constexpr double MinUp = 0.45;
 
 /// The points of a contour in G, in order from a crossing.
 struct ContourRing
@@ -63,7 +63,7 @@ public:
     , Code(geometry.Grid)
     , CornerAngle(cornerAngle)
     , ArcTangents(geometry.Graph.Count())
-    , CrossingTangents(geometry.Lattice.Count())
+    , CrossingTangents(geometry.Crossings.Count())
     , NodeNormals(geometry.Nodes.Count())
   {
     this->Result.Normals.assign(3 * static_cast<std::size_t>(geometry.Graph.Count()), 0.0f);
@@ -86,8 +86,8 @@ private:
   void SetRing(Index start, ContourRing& ring) const;
   Tangent& TangentAt(const ContourRing& ring, Index i)
   {
-    return ring.Crossing[i] == Crossings::None ? this->ArcTangents[ring.Points[i]]
-                                               : this->CrossingTangents[ring.Crossing[i]];
+    return ring.Crossing[i] == GridCrossings::None ? this->ArcTangents[ring.Points[i]]
+                                                   : this->CrossingTangents[ring.Crossing[i]];
   }
   void FindTangents(ContourRing& ring);
   Point3 NodeNormal(Index node) const;
@@ -114,34 +114,34 @@ private:
 /// Of the slice of a crossing's contour.
 int NormalEstimator::AxisOf(Index crossing) const
 {
-  const int direction = this->Code.Decode(this->Geometry.Lattice.Edge[crossing]).Direction;
-  return this->Geometry.Lattice.Family[crossing] == 0 ? FirstAxis(direction)
-                                                      : SecondAxis(direction);
+  const int direction = this->Code.Decode(this->Geometry.Crossings.Edge[crossing]).Direction;
+  return this->Geometry.Crossings.Family[crossing] == 0 ? FirstAxis(direction)
+                                                        : SecondAxis(direction);
 }
 
 /// One crossing of each contour, by the axis of its slice: always the same one, however contours are
 /// numbered.
 std::array<std::vector<Index>, 3> NormalEstimator::FindRings() const
 {
-  const Crossings& lattice = this->Geometry.Lattice;
+  const GridCrossings& crossings = this->Geometry.Crossings;
   std::array<std::vector<Index>, 3> starts;
-  std::vector<std::uint8_t> seen(lattice.Count(), 0);
-  for (Index start = 0; start < lattice.Count(); ++start)
+  std::vector<std::uint8_t> seen(crossings.Count(), 0);
+  for (Index start = 0; start < crossings.Count(); ++start)
   {
-    if (seen[start] != 0 || lattice.IsRemoved(start))
+    if (seen[start] != 0 || crossings.IsRemoved(start))
     {
       continue;
     }
-    Index least = start;
-    for (Index c = start; seen[c] == 0; c = lattice.Next[c])
+    Index minimum = start;
+    for (Index c = start; seen[c] == 0; c = crossings.Next[c])
     {
       seen[c] = 1;
-      const bool isLess = lattice.Edge[c] != lattice.Edge[least]
-        ? lattice.Edge[c] < lattice.Edge[least]
-        : lattice.Position[c] < lattice.Position[least];
-      least = isLess ? c : least;
+      const bool isLess = crossings.Edge[c] != crossings.Edge[minimum]
+        ? crossings.Edge[c] < crossings.Edge[minimum]
+        : crossings.Position[c] < crossings.Position[minimum];
+      minimum = isLess ? c : minimum;
     }
-    starts[this->AxisOf(start)].push_back(least);
+    starts[this->AxisOf(start)].push_back(minimum);
   }
   return starts;
 }
@@ -149,7 +149,7 @@ std::array<std::vector<Index>, 3> NormalEstimator::FindRings() const
 void NormalEstimator::SetRing(Index start, ContourRing& ring) const
 {
   const NodeGraph& graph = this->Geometry.Graph;
-  const Crossings& lattice = this->Geometry.Lattice;
+  const GridCrossings& crossings = this->Geometry.Crossings;
   ring.Axis = this->AxisOf(start);
   const int u = FirstAxis(ring.Axis), v = SecondAxis(ring.Axis);
   ring.Spacing = MeanSpacingInSlices(this->Geometry.Grid, ring.Axis);
@@ -163,9 +163,9 @@ void NormalEstimator::SetRing(Index start, ContourRing& ring) const
     for (Index i = 0; i < graph.PointCount(c); ++i)
     {
       ring.Points.push_back(graph.FirstPoint(c) + i);
-      ring.Crossing.push_back(Crossings::None);
+      ring.Crossing.push_back(GridCrossings::None);
     }
-    c = lattice.Next[c];
+    c = crossings.Next[c];
   } while (c != start);
   std::vector<Point2> points(ring.Points.size());
   std::transform(ring.Points.begin(), ring.Points.end(), points.begin(),
@@ -207,7 +207,7 @@ Point3 NormalEstimator::NodeNormal(Index node) const
   }
   const Index first = this->Geometry.Nodes.First[node];
   const Index second = this->Geometry.Nodes.Second[node];
-  const int t = this->Code.Decode(this->Geometry.Lattice.Edge[first]).Direction;
+  const int t = this->Code.Decode(this->Geometry.Crossings.Edge[first]).Direction;
   return OutwardNormal(this->ContourTangent(first, FirstAxis(t)), FirstAxis(t),
     this->ContourTangent(second, SecondAxis(t)), SecondAxis(t));
 }
@@ -222,14 +222,14 @@ std::vector<TiltSample> NormalEstimator::SampleTilt(const ContourRing& ring)
   for (Index i = 0; i < ring.Measured.Curve.Count(); ++i)
   {
     corner |= ring.Measured.Curve.IsCorner(i);
-    if (ring.Crossing[i] == Crossings::None)
+    if (ring.Crossing[i] == GridCrossings::None)
     {
       continue;
     }
     const Point3 normal = this->NodeNormalAt(ring.Points[i]);
     const Tangent& tangent = this->TangentAt(ring, i);
     const double weight = Dot(normal, normal);
-    if (weight < LeastSine * LeastSine)
+    if (weight < MinSine * MinSine)
     {
       continue;
     }
@@ -323,13 +323,13 @@ void NormalEstimator::AddPart(const ContourRing& ring, Index first, Index count,
   {
     const Index i = (first + k) % n;
     fit.Slope.AddZero(ring.Measured.Curve[i]);
-    if (ring.Crossing[i] == Crossings::None)
+    if (ring.Crossing[i] == GridCrossings::None)
     {
       continue;
     }
     const Point3 normal = this->NodeNormalAt(ring.Points[i]);
     const double weight = Dot(normal, normal), up = fit.Sign * normal[ring.Axis];
-    if (weight >= LeastSine * LeastSine && up > 0.0 && up * up >= LeastUp * LeastUp * weight)
+    if (weight >= MinSine * MinSine && up > 0.0 && up * up >= MinUp * MinUp * weight)
     {
       fit.Slope.AddSlope(ring.Measured.Curve[i], { normal[u] / up, normal[v] / up });
     }
@@ -342,20 +342,19 @@ void NormalEstimator::FitSlope(const ContourRing& ring, const std::vector<TiltSa
   std::size_t before, SlopeFit& fit)
 {
   // In radians: a height function that misses known normals by more is none.
-  constexpr double mostMissed = 0.1;
+  constexpr double maxMissed = 0.1;
   const std::size_t n = samples.size();
   const auto at = [&](std::size_t shift) -> const TiltSample&
   { return samples[(before + shift) % n]; };
   const TiltSample &o = at(n - 1), &p = at(0), &q = at(1), &r = at(2);
   fit.Valid = false;
   if (!ring.Measured.Curve.IsExact() || n < 3 || p.CornerAfter ||
-    std::min(std::abs(p.Tilt), std::abs(q.Tilt)) < LeastSteepTilt ||
-    (p.Tilt > 0.0) != (q.Tilt > 0.0))
+    std::min(std::abs(p.Tilt), std::abs(q.Tilt)) < MinSteepTilt || (p.Tilt > 0.0) != (q.Tilt > 0.0))
   {
     return;
   }
   const auto isUsed = [&](const TiltSample& s)
-  { return std::abs(s.Tilt) >= LeastSteepTilt && (s.Tilt > 0.0) == (p.Tilt > 0.0); };
+  { return std::abs(s.Tilt) >= MinSteepTilt && (s.Tilt > 0.0) == (p.Tilt > 0.0); };
   const Index total = ring.Measured.Curve.Count();
   const Index first = isUsed(o) && !o.CornerAfter ? o.Place : p.Place;
   const Index last = isUsed(r) && !q.CornerAfter && (n > 3 || first == p.Place) ? r.Place : q.Place;
@@ -369,7 +368,7 @@ void NormalEstimator::FitSlope(const ContourRing& ring, const std::vector<TiltSa
   }
   fit.MissedBefore = p.Tilt - this->FittedTilt(ring, p.Place, fit, HUGE_VAL);
   fit.MissedAfter = q.Tilt - this->FittedTilt(ring, q.Place, fit, HUGE_VAL);
-  fit.Valid = std::abs(fit.MissedBefore) < mostMissed && std::abs(fit.MissedAfter) < mostMissed;
+  fit.Valid = std::abs(fit.MissedBefore) < maxMissed && std::abs(fit.MissedAfter) < maxMissed;
 }
 
 /// Goes along a ring and tells the tilt at each point.
@@ -447,7 +446,7 @@ void NormalEstimator::WriteNormals(const ContourRing& ring)
     normal[v] = -std::cos(tilt) * tangent[0];
     normal[ring.Axis] = std::sin(tilt);
     float* out = this->Result.Normals.data() + 3 * static_cast<std::size_t>(ring.Points[i]);
-    if (ring.Crossing[i] == Crossings::None)
+    if (ring.Crossing[i] == GridCrossings::None)
     {
       std::copy(normal.begin(), normal.end(), out);
     }
@@ -457,7 +456,7 @@ void NormalEstimator::WriteNormals(const ContourRing& ring)
       // known hardly counts.
       const double share = walk.KnowsTilt() ? 1.0 : 1e-3;
       const Point3 own = this->NodeNormalAt(ring.Points[i]);
-      const bool known = Dot(own, own) >= LeastSine * LeastSine;
+      const bool known = Dot(own, own) >= MinSine * MinSine;
       for (int k = 0; k < 3; ++k)
       {
         out[k] = static_cast<float>(known ? own[k] : out[k] + share * normal[k]);

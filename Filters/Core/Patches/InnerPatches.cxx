@@ -56,9 +56,9 @@ public:
     , Meshes(meshes)
     , Method(options.Method)
     , Parts(std::max<Index>(1, static_cast<Index>(std::lround(0.5 / options.EdgeLength))))
-    , MeshOf(geometry.Polygons.Count(), -1)
+    , MeshOf(geometry.Cycles.Count(), -1)
   {
-    const double spacing = LeastMeanSpacing(geometry.Grid);
+    const double spacing = MinMeanSpacing(geometry.Grid);
     this->Resolution = { options.EdgeLength * spacing, options.ChordTolerance * spacing };
     for (std::size_t i = 0; i < meshes.size(); ++i)
     {
@@ -315,7 +315,7 @@ InnerPatches BuildInnerPatches(const CycleGeometry& geometry, const CellGroups& 
     return {};
   }
   const PatchFiller filler(geometry, normals, centralPoints, meshes, options);
-  const std::size_t count = static_cast<std::size_t>(geometry.Polygons.Count());
+  const std::size_t count = static_cast<std::size_t>(geometry.Cycles.Count());
   std::vector<InnerPatches> blocks((count + BlockSize - 1) / BlockSize);
   execution.For(blocks.size(),
     [&](std::size_t begin, std::size_t end)

@@ -45,13 +45,13 @@ void PatchBorder::Set(const CycleGeometry& geometry, const SurfaceNormals& norma
     this->Normals[i] = { normal[0], normal[1], normal[2] };
   }
   this->Center = WeighByLength(this->Places, this->Weights);
-  this->Room = RoomInside(geometry.Grid, geometry.Polygons.Cell[cycle]);
+  this->Room = RoomInside(geometry.Grid, geometry.Cycles.Cell[cycle]);
 }
 
 Index PatchBorder::Turn()
 {
-  const auto least = std::min_element(this->Places.begin(), this->Places.end());
-  const Index first = static_cast<Index>(least - this->Places.begin());
+  const auto minimum = std::min_element(this->Places.begin(), this->Places.end());
+  const Index first = static_cast<Index>(minimum - this->Places.begin());
   const auto turn = [first](auto& values)
   { std::rotate(values.begin(), values.begin() + first, values.end()); };
   turn(this->Points);
@@ -117,7 +117,7 @@ Point3 PatchView::ToWorld(const Point3& local) const
 bool PatchView::Set(const PatchBorder& border)
 {
   // Lines from nearer than that are of no use: most patches are less bent.
-  constexpr double mostBend = 1.2;
+  constexpr double maxBend = 1.2;
   constexpr double nearest = 0.3;
   const std::size_t n = border.Places.size();
   this->Origin = border.Center;
@@ -130,8 +130,8 @@ bool PatchView::Set(const PatchBorder& border)
   }
   this->Unit = std::sqrt(radius2);
   // Normals all around have no mean.
-  constexpr double leastMean = 1e-3;
-  if (!(this->Unit > 0.0) || !(Length(normal) > leastMean))
+  constexpr double minMean = 1e-3;
+  if (!(this->Unit > 0.0) || !(Length(normal) > minMean))
   {
     return false;
   }
@@ -148,7 +148,7 @@ bool PatchView::Set(const PatchBorder& border)
     extent += border.Weights[i] * (p[0] * p[0] + p[1] * p[1]);
   }
   this->Bend = extent > 0.0 ? divergence / extent : 0.0;
-  this->Bend = std::max(-mostBend, std::min(mostBend, this->Bend));
+  this->Bend = std::max(-maxBend, std::min(maxBend, this->Bend));
   for (const Point3& p : this->LocalPlaces)
   {
     this->Bend = 1.0 + this->Bend * p[2] < nearest ? (nearest - 1.0) / p[2] : this->Bend;

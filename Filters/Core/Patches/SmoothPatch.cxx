@@ -9,18 +9,18 @@ namespace orthoslices
 namespace
 {
 /// Slopes of the function along a line that say nothing of where it is zero.
-constexpr double LeastSlope = 0.1;
+constexpr double MinSlope = 0.1;
 /// Sides of the border shorter than that, in mean radii of it, are not refined to.
-constexpr double LeastSide = 1e-3;
+constexpr double MinSide = 1e-3;
 /// How far zeros may lie from the middle of the border, or from its heights, in its mean radii.
-constexpr double MostDeviation = 1.5;
+constexpr double MaxDeviation = 1.5;
 
 /// Points of a border times points inside: all of a border's points count for each.
-constexpr std::size_t MostWork = 2000000;
+constexpr std::size_t MaxWork = 2000000;
 
-std::size_t MostPoints(std::size_t border)
+std::size_t MaxPoints(std::size_t border)
 {
-  return border + std::min(9 * border + 2000, MostWork / border);
+  return border + std::min(9 * border + 2000, MaxWork / border);
 }
 }
 
@@ -70,17 +70,17 @@ bool SmoothPatchBuilder::FindHeight(const Point2& p, double& z, Point3& gradient
   constexpr double longest = 0.3;
   constexpr double nearEnough = 1e-3;
   constexpr double precision = 1e-5; // the next step would be its square
-  constexpr int most = 16;
+  constexpr int maximum = 16;
   const Point3 line = this->View.LineAt(p);
   z = 0.0;
   bool polynomial = true;
-  for (int i = 0; i < most; ++i)
+  for (int i = 0; i < maximum; ++i)
   {
     const Point3 at = this->View.OnLine(p, z);
     const double value =
       polynomial ? this->Surface.Polynomial(at, gradient) : this->Surface(at, gradient);
     const double slope = Dot(gradient, line);
-    if (slope < LeastSlope)
+    if (slope < MinSlope)
     {
       return false;
     }
@@ -88,7 +88,7 @@ bool SmoothPatchBuilder::FindHeight(const Point2& p, double& z, Point3& gradient
     z -= step;
     if (!polynomial && std::abs(step) < precision)
     {
-      return std::abs(z) < MostDeviation;
+      return std::abs(z) < MaxDeviation;
     }
     polynomial = polynomial && std::abs(step) > nearEnough;
   }
@@ -103,7 +103,7 @@ bool SmoothPatchBuilder::SearchHeight(
   const auto valueAt = [&](double height)
   { return this->Surface(this->View.OnLine(p, height), gradient); };
   double above = valueAt(guess), below = above;
-  for (double d = step; d < MostDeviation; d += step)
+  for (double d = step; d < MaxDeviation; d += step)
   {
     const double nextAbove = valueAt(guess + d), nextBelow = valueAt(guess - d);
     const bool isAbove = above < 0.0 && nextAbove >= 0.0;
@@ -165,9 +165,9 @@ bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)
     return false;
   }
   const Index n = border.Count();
-  const std::size_t mostPoints = MostPoints(polygon.size());
+  const std::size_t maxPoints = MaxPoints(polygon.size());
   this->Disc.MakeDelaunay();
-  this->Disc.Refine(this->SizeOfTriangles(), mostPoints, LeastSide);
+  this->Disc.Refine(this->SizeOfTriangles(), maxPoints, MinSide);
   // No side between two points of the border may lie on a face of the cell.
   this->Disc.SplitSides(
     [&](Index a, Index b) { return a < n && b < n && border.AreOnOneFace(a, b); });

@@ -288,7 +288,8 @@ void DiscTriangulation::Insert(Index t, const Point2& p)
 }
 
 /// Where a point would mend a triangle; false if it needs none.
-bool DiscTriangulation::FindNewPoint(const Triangle& t, double size, double least, Point2& p) const
+bool DiscTriangulation::FindNewPoint(
+  const Triangle& t, double size, double minimum, Point2& p) const
 {
   const Point2 &a = this->Points[t.Corners[0]], &b = this->Points[t.Corners[1]],
                &c = this->Points[t.Corners[2]];
@@ -299,7 +300,7 @@ bool DiscTriangulation::FindNewPoint(const Triangle& t, double size, double leas
   const double ux = (cy * bb - by * cc) / twice, uy = (bx * cc - cx * bb) / twice;
   const double radius2 = ux * ux + uy * uy;
   const double side = std::min({ ab, bc, ca });
-  const double shortest = std::max(side, least * least);
+  const double shortest = std::max(side, minimum * minimum);
   if (!(radius2 > Quality * Quality * shortest || radius2 > 0.45 * size * size))
   {
     return false;
@@ -310,10 +311,10 @@ bool DiscTriangulation::FindNewPoint(const Triangle& t, double size, double leas
   const Point2& to = side == ab ? b : side == bc ? c : a;
   const Point2 middle{ 0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]) };
   const double away = std::sqrt(SquaredDistance(middle, p));
-  const double most = 1.4 * std::sqrt(shortest);
-  if (away > most && radius2 > Quality * Quality * shortest)
+  const double maximum = 1.4 * std::sqrt(shortest);
+  if (away > maximum && radius2 > Quality * Quality * shortest)
   {
-    const double share = most / away;
+    const double share = maximum / away;
     p = { middle[0] + share * (p[0] - middle[0]), middle[1] + share * (p[1] - middle[1]) };
   }
   // Off the middle of a right angle's long side.
@@ -323,7 +324,7 @@ bool DiscTriangulation::FindNewPoint(const Triangle& t, double size, double leas
   return std::isfinite(p[0]) && std::isfinite(p[1]);
 }
 
-void DiscTriangulation::Refine(double size, std::size_t mostPoints, double least)
+void DiscTriangulation::Refine(double size, std::size_t maxPoints, double minimum)
 {
   this->Queue.resize(this->Triangles.size());
   for (std::size_t t = 0; t < this->Queue.size(); ++t)
@@ -331,10 +332,10 @@ void DiscTriangulation::Refine(double size, std::size_t mostPoints, double least
     this->Queue[t] = static_cast<Index>(t);
   }
   Point2 p;
-  for (std::size_t next = 0; next < this->Queue.size() && this->Points.size() < mostPoints; ++next)
+  for (std::size_t next = 0; next < this->Queue.size() && this->Points.size() < maxPoints; ++next)
   {
     const Index t = this->Queue[next];
-    if (!this->FindNewPoint(this->Triangles[t], size, least, p))
+    if (!this->FindNewPoint(this->Triangles[t], size, minimum, p))
     {
       continue;
     }

@@ -33,7 +33,7 @@ public:
   void MakeDelaunay();
   /// Adds points where triangles are badly shaped or have sides longer than `size`. Sides shorter
   /// than `least` count as long as that: no points crowd around a tiny side of the border.
-  void Refine(double size, std::size_t mostPoints, double least = 0.0);
+  void Refine(double size, std::size_t maxPoints, double minimum = 0.0);
   /// Adds a point in the middle of the sides for which the predicate holds.
   template <typename Predicate>
   void SplitSides(Predicate&& isToSplit)
@@ -66,7 +66,7 @@ private:
   void Insert(Index t, const Point2& p);
   Index Locate(Index from, const Point2& p) const;
   bool Encroaches(Index t, const Point2& p) const;
-  bool FindNewPoint(const Triangle& t, double size, double least, Point2& p) const;
+  bool FindNewPoint(const Triangle& t, double size, double minimum, Point2& p) const;
   int SideTo(Index t, Index neighbor) const;
   void Relink(Index t, Index from, Index to);
 

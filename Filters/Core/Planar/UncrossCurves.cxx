@@ -11,11 +11,11 @@ namespace orthoslices
 namespace
 {
 /// Pairs compared and vertices moved for each vertex before we give up, between two rounds.
-constexpr std::size_t MostWorkPerVertex = 1 << 12;
+constexpr std::size_t MaxWorkPerVertex = 1 << 12;
 /// Pairs that overlap along x, for each segment, from which on it is worth trying y.
 constexpr std::size_t ManyOverlapsPerSegment = 16;
 /// Contacts for each vertex that are listed before the first of them are dealt with.
-constexpr std::size_t MostContactsPerVertex = 16;
+constexpr std::size_t MaxContactsPerVertex = 16;
 
 double Distance(const Point2& a, const Point2& b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
 
@@ -61,13 +61,13 @@ public:
 private:
   static constexpr Index None = -1;
 
-  const Point2& At(Index vertex) const { return this->Set.Vertices[vertex]; }
+  const Point2& At(Index vertex) const { return this->Curves.Vertices[vertex]; }
   bool IsEnd(Index vertex) const;
   bool AreNeighbours(const std::array<Index, 2>& pair) const;
   void Renumber(Index curve, std::size_t first);
 
   std::vector<Segment> ListSegments() const;
-  void FindContacts(std::size_t most);
+  void FindContacts(std::size_t maximum);
   void Compare(const Segment& a, const Segment& b);
   bool Closes(const Segment& last, const Segment& first) const;
   void AddFold(const Segment& a, const Segment& b);
@@ -85,7 +85,7 @@ private:
   void Remove(Index vertex);
   double Length() const;
 
-  PlanarCurves& Set;
+  PlanarCurves& Curves;
   std::vector<Index> Curve, Place; ///< of each vertex; Curve is None for those left out
   std::vector<Contact> Contacts;
   std::size_t Work = 0;
@@ -93,11 +93,11 @@ private:
 };
 
 Untangler::Untangler(PlanarCurves& curves)
-  : Set(curves)
+  : Curves(curves)
   , Curve(curves.Vertices.size(), None)
   , Place(curves.Vertices.size(), 0)
 {
-  for (std::size_t curve = 0; curve < this->Set.Curves.size(); ++curve)
+  for (std::size_t curve = 0; curve < this->Curves.Curves.size(); ++curve)
   {
     this->Renumber(static_cast<Index>(curve), 0);
   }
@@ -105,7 +105,7 @@ Untangler::Untangler(PlanarCurves& curves)
 
 void Untangler::Renumber(Index curve, std::size_t first)
 {
-  const std::vector<Index>& vertices = this->Set.Curves[curve];
+  const std::vector<Index>& vertices = this->Curves.Curves[curve];
   for (std::size_t i = first; i < vertices.size(); ++i)
   {
     this->Curve[vertices[i]] = curve;
@@ -116,7 +116,7 @@ void Untangler::Renumber(Index curve, std::size_t first)
 
 bool Untangler::IsEnd(Index vertex) const
 {
-  const std::vector<Index>& curve = this->Set.Curves[this->Curve[vertex]];
+  const std::vector<Index>& curve = this->Curves.Curves[this->Curve[vertex]];
   return curve.front() == vertex || curve.back() == vertex;
 }
 
@@ -129,7 +129,7 @@ bool Untangler::AreNeighbours(const std::array<Index, 2>& pair) const
 std::vector<Segment> Untangler::ListSegments() const
 {
   std::vector<Segment> segments;
-  for (const std::vector<Index>& curve : this->Set.Curves)
+  for (const std::vector<Index>& curve : this->Curves.Curves)
   {
     for (std::size_t i = 1; i < curve.size(); ++i)
     {
@@ -181,13 +181,13 @@ int SortForSweep(std::vector<Segment>& segments)
  * Lists contacts until there are more than `most`. However long it takes: what is not known to
  * touch must not be changed.
  */
-void Untangler::FindContacts(std::size_t most)
+void Untangler::FindContacts(std::size_t maximum)
 {
   this->Contacts.clear();
   std::vector<Segment> segments = this->ListSegments();
   const int along = SortForSweep(segments);
   const int across = 1 - along;
-  for (std::size_t i = 0; i < segments.size() && this->Contacts.size() <= most; ++i)
+  for (std::size_t i = 0; i < segments.size() && this->Contacts.size() <= maximum; ++i)
   {
     const Segment& a = segments[i];
     for (std::size_t j = i + 1; j < segments.size() && segments[j].Low[along] <= a.High[along]; ++j)
@@ -243,9 +243,9 @@ void Untangler::Compare(const Segment& a, const Segment& b)
 bool Untangler::Closes(const Segment& last, const Segment& first) const
 {
   const Index curve = this->Curve[first.Start];
-  return static_cast<std::size_t>(curve) >= this->Set.FirstClosed &&
-    curve == this->Curve[last.End] && this->Set.Curves[curve].front() == first.Start &&
-    this->Set.Curves[curve].back() == last.End;
+  return static_cast<std::size_t>(curve) >= this->Curves.FirstClosed &&
+    curve == this->Curve[last.End] && this->Curves.Curves[curve].front() == first.Start &&
+    this->Curves.Curves[curve].back() == last.End;
 }
 
 /// Consecutive segments touch beyond their common vertex if the second runs back along the first.
@@ -311,7 +311,7 @@ double Untangler::GainOf(const Segment& a, const Segment& b) const
 
 double Untangler::GainOfRemoving(Index vertex) const
 {
-  const std::vector<Index>& curve = this->Set.Curves[this->Curve[vertex]];
+  const std::vector<Index>& curve = this->Curves.Curves[this->Curve[vertex]];
   const Point2& before = this->At(curve[this->Place[vertex] - 1]);
   const Point2& after = this->At(curve[this->Place[vertex] + 1]);
   return Distance(before, this->At(vertex)) + Distance(this->At(vertex), after) -
@@ -330,7 +330,7 @@ void Untangler::Reverse(const Contact& contact)
   const Index curve = this->Curve[contact.First[0]];
   const Index i = this->PlaceOf(contact.First) + 1;
   const Index j = this->PlaceOf(contact.Second) + 1;
-  std::vector<Index>& vertices = this->Set.Curves[curve];
+  std::vector<Index>& vertices = this->Curves.Curves[curve];
   std::reverse(vertices.begin() + std::min(i, j), vertices.begin() + std::max(i, j));
   this->Renumber(curve, std::min(i, j));
 }
@@ -340,8 +340,8 @@ std::vector<Crossing> Untangler::CrossingsOf(Index one, Index other)
 {
   this->Work += this->Contacts.size();
   std::vector<Crossing> crossings;
-  const std::vector<Index>& a = this->Set.Curves[one];
-  const std::vector<Index>& b = this->Set.Curves[other];
+  const std::vector<Index>& a = this->Curves.Curves[one];
+  const std::vector<Index>& b = this->Curves.Curves[other];
   for (const Contact& contact : this->Contacts)
   {
     if (!contact.Cross || !this->AreNeighbours(contact.First) ||
@@ -373,8 +373,8 @@ std::vector<Crossing> Untangler::CrossingsOf(Index one, Index other)
 /// Exchanges the parts of two curves between two crossings, so that their ends stay together.
 void Untangler::ExchangeParts(Index one, Index other, const Crossing& first, const Crossing& second)
 {
-  std::vector<Index>& a = this->Set.Curves[one];
-  std::vector<Index>& b = this->Set.Curves[other];
+  std::vector<Index>& a = this->Curves.Curves[one];
+  std::vector<Index>& b = this->Curves.Curves[other];
   const bool sameWay = first.OnSecond < second.OnSecond;
   const Index j = std::min(first.OnSecond.first, second.OnSecond.first) + 1;
   const auto beginA = a.begin() + first.OnFirst.first + 1;
@@ -397,8 +397,8 @@ void Untangler::ExchangeParts(Index one, Index other, const Crossing& first, con
 /// Exchanges all that follows on two curves.
 void Untangler::ExchangeRests(Index one, Index other, const Crossing& crossing)
 {
-  std::vector<Index>& a = this->Set.Curves[one];
-  std::vector<Index>& b = this->Set.Curves[other];
+  std::vector<Index>& a = this->Curves.Curves[one];
+  std::vector<Index>& b = this->Curves.Curves[other];
   const auto restOfA = a.begin() + crossing.OnFirst.first + 1;
   const auto restOfB = b.begin() + crossing.OnSecond.first + 1;
   const std::vector<Index> tail(restOfA, a.end());
@@ -437,7 +437,7 @@ void Untangler::Remove(Index vertex)
 {
   const Index curve = this->Curve[vertex];
   const Index place = this->Place[vertex];
-  std::vector<Index>& vertices = this->Set.Curves[curve];
+  std::vector<Index>& vertices = this->Curves.Curves[curve];
   vertices.erase(vertices.begin() + place);
   this->Curve[vertex] = None;
   this->Renumber(curve, place);
@@ -446,7 +446,7 @@ void Untangler::Remove(Index vertex)
 double Untangler::Length() const
 {
   double length = 0.0;
-  for (const std::vector<Index>& curve : this->Set.Curves)
+  for (const std::vector<Index>& curve : this->Curves.Curves)
   {
     for (std::size_t i = 1; i < curve.size(); ++i)
     {
@@ -480,11 +480,11 @@ bool Untangler::Apply(const Contact& contact)
 Uncrossing Untangler::Run()
 {
   const double length = this->Length();
-  const std::size_t vertices = this->Set.Vertices.size();
+  const std::size_t vertices = this->Curves.Vertices.size();
   Index applied = 0;
   do
   {
-    this->FindContacts(MostContactsPerVertex * vertices);
+    this->FindContacts(MaxContactsPerVertex * vertices);
     std::stable_sort(this->Contacts.begin(), this->Contacts.end(),
       [](const Contact& a, const Contact& b) { return a.Gain > b.Gain; });
     applied = 0;
@@ -492,7 +492,7 @@ Uncrossing Untangler::Run()
     {
       applied += this->Apply(contact) ? 1 : 0;
     }
-  } while (applied > 0 && this->Work <= MostWorkPerVertex * vertices);
+  } while (applied > 0 && this->Work <= MaxWorkPerVertex * vertices);
   this->Result.Simple = this->Contacts.empty();
   this->Result.Shortening = length - this->Length();
   return this->Result;

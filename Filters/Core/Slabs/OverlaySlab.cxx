@@ -443,12 +443,12 @@ bool Triangulation::AddBorder(Index a, Index b)
     // On through the edge with its start on the right and its end on the left.
     edge.Corner = (edge.Corner + (side > 0 ? 1 : 2)) % 3;
   }
-  const std::size_t most = 10 * crossed.size() * crossed.size() + 100;
+  const std::size_t maximum = 10 * crossed.size() * crossed.size() + 100;
   for (std::size_t i = 0; i < crossed.size(); ++i)
   {
     // Around the corners of the outermost triangle there is no full circle to search.
     const auto [start, end] = crossed[i];
-    if (i > most ||
+    if (i > maximum ||
       !(start < this->Nodes ? this->FindEdge(start, end, edge) : this->FindEdge(end, start, edge)))
     {
       return false;

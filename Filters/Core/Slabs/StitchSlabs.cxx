@@ -14,27 +14,10 @@ namespace orthoslices
 {
 namespace
 {
-CorrespondenceCriterion CriterionOf(LoopCriterion criterion)
-{
-  switch (criterion)
-  {
-    case LoopCriterion::EllipticalCylinders:
-      return CorrespondenceCriterion::EllipticalCylinders;
-    case LoopCriterion::SpanningTree:
-      return CorrespondenceCriterion::SpanningTree;
-    case LoopCriterion::ReebGraph:
-      return CorrespondenceCriterion::ReebGraph;
-    case LoopCriterion::ByEvidence:
-    case LoopCriterion::Overlap:
-      break;
-  }
-  return CorrespondenceCriterion::Overlap;
-}
-
 /// The cycle of a loop below its slice, or above.
-Index CycleOf(const Cycles& polygons, const NodeGraph& graph, Index loop, bool above)
+Index CycleOf(const CellCycles& cycles, const NodeGraph& graph, Index loop, bool above)
 {
-  return polygons.Count() - 2 * static_cast<Index>(graph.Loops.size()) + 2 * loop + (above ? 1 : 0);
+  return cycles.Count() - 2 * static_cast<Index>(graph.Loops.size()) + 2 * loop + (above ? 1 : 0);
 }
 
 std::vector<Point2> PolygonOf(const NodeGraph& graph, Index loop)
@@ -80,20 +63,20 @@ ContourStack StackOf(const CycleGeometry& geometry, int axis, std::vector<Index>
 }
 
 std::vector<LoopPair> PairLoops(
-  const CycleGeometry& geometry, LoopCriterion criterion, const PriorKnowledge& known)
+  const CycleGeometry& geometry, CorrespondenceCriterion criterion, const PriorKnowledge& known)
 {
   std::vector<LoopPair> pairs;
   for (int axis = 0; axis < 3; ++axis)
   {
     std::vector<Index> loops;
     const ContourStack stack = StackOf(geometry, axis, loops);
-    for (const Correspondence& match : FindCorrespondences(CriterionOf(criterion), stack, known))
+    for (const Correspondence& match : FindCorrespondences(criterion, stack, known))
     {
       const auto cycle = [&](Index contour, bool above)
-      { return CycleOf(geometry.Polygons, geometry.Graph, loops[contour], above); };
+      { return CycleOf(geometry.Cycles, geometry.Graph, loops[contour], above); };
       const Index a = cycle(match.First, match.Where != Passage::Below);
       const Index b = cycle(match.Second, match.Where == Passage::Above);
-      if (geometry.Polygons.Cell[a] == geometry.Polygons.Cell[b])
+      if (geometry.Cycles.Cell[a] == geometry.Cycles.Cell[b])
       {
         pairs.push_back({ std::min(a, b), std::max(a, b) });
       }
@@ -112,7 +95,7 @@ struct SlabGroup
 {
   Index Slab;
   std::vector<Index> Loops; ///< of G
-  std::vector<SlabLoop> Polygons;
+  std::vector<SlabLoop> Outlines;
   Point2 Shift{ 0.0, 0.0 };
   SlabOverlay Overlay;
 };
@@ -138,19 +121,19 @@ class PatchMaker;
 class SlabStitcher
 {
 public:
-  SlabStitcher(const SpatialGrid& grid, const Cycles& polygons, int axis, NodeGraph& graph)
+  SlabStitcher(const SpatialGrid& grid, const CellCycles& cycles, int axis, NodeGraph& graph)
     : Grid(grid)
-    , Polygons(polygons)
+    , Cycles(cycles)
     , Axis(axis)
     , Graph(graph)
   {
   }
 
-  std::vector<PatchMesh> Run(
-    LoopCriterion criterion, const std::vector<LoopPair>& pairs, const Execution& execution);
+  std::vector<PatchMesh> Run(CorrespondenceCriterion criterion, const std::vector<LoopPair>& pairs,
+    const Execution& execution);
 
 private:
-  void FormGroups(LoopCriterion criterion, const std::vector<LoopPair>& pairs);
+  void FormGroups(CorrespondenceCriterion criterion, const std::vector<LoopPair>& pairs);
   void Overlay(SlabGroup& group, bool mayShear) const;
   void InsertVertices(const Execution& execution);
   void TryInsertVertices();
@@ -163,7 +146,7 @@ private:
   friend class PatchMaker;
 
   const SpatialGrid& Grid;
-  const Cycles& Polygons;
+  const CellCycles& Cycles;
   int Axis;
   NodeGraph& Graph;
   std::vector<SlabGroup> Groups;
@@ -172,11 +155,11 @@ private:
 };
 
 /// All loops of a slab together, or those that the criterion joins.
-void SlabStitcher::FormGroups(LoopCriterion criterion, const std::vector<LoopPair>& pairs)
+void SlabStitcher::FormGroups(CorrespondenceCriterion criterion, const std::vector<LoopPair>& pairs)
 {
-  const bool together =
-    criterion == LoopCriterion::ByEvidence || criterion == LoopCriterion::Overlap;
-  DisjointSets sets(this->Polygons.Count());
+  const bool together = criterion == CorrespondenceCriterion::ByEvidence ||
+    criterion == CorrespondenceCriterion::Overlap;
+  DisjointSets sets(this->Cycles.Count());
   for (const LoopPair& pair : pairs)
   {
     sets.Unite(pair.First, pair.Second);
@@ -188,7 +171,7 @@ void SlabStitcher::FormGroups(LoopCriterion criterion, const std::vector<LoopPai
     for (const bool above : { false, true })
     {
       const Index slab = this->Graph.Loops[loop].Plane + (above ? 1 : 0);
-      const Index set = together ? 0 : sets.Find(CycleOf(this->Polygons, this->Graph, loop, above));
+      const Index set = together ? 0 : sets.Find(CycleOf(this->Cycles, this->Graph, loop, above));
       const auto at = groupOf.emplace(std::make_pair(slab, set), this->Groups.size());
       if (at.second)
       {
@@ -196,7 +179,7 @@ void SlabStitcher::FormGroups(LoopCriterion criterion, const std::vector<LoopPai
       }
       SlabGroup& group = this->Groups[at.first->second];
       group.Loops.push_back(loop);
-      group.Polygons.push_back({ polygon, !above });
+      group.Outlines.push_back({ polygon, !above });
     }
   }
 }
@@ -226,15 +209,15 @@ Index CountPieces(const SlabOverlay& overlay)
 /// Straight, or sheared so that the middles of both slices lie above each other.
 void SlabStitcher::Overlay(SlabGroup& group, bool mayShear) const
 {
-  group.Overlay = OverlaySlab(group.Polygons, group.Shift);
+  group.Overlay = OverlaySlab(group.Outlines, group.Shift);
   if (!mayShear || (group.Overlay.Valid && CountPieces(group.Overlay) == 1))
   {
     return;
   }
-  const Point2 lower = CentreOf(group.Polygons, false);
-  const Point2 upper = CentreOf(group.Polygons, true);
+  const Point2 lower = CentreOf(group.Outlines, false);
+  const Point2 upper = CentreOf(group.Outlines, true);
   const Point2 shift{ upper[0] - lower[0], upper[1] - lower[1] };
-  SlabOverlay sheared = OverlaySlab(group.Polygons, shift);
+  SlabOverlay sheared = OverlaySlab(group.Outlines, shift);
   if (sheared.Valid && CountPieces(sheared) == 1)
   {
     group.Shift = shift;
@@ -474,8 +457,8 @@ void PatchMaker::FindMembers()
     if (edge.first < static_cast<Index>(this->Corners.size()))
     {
       const Index member = this->Corners[edge.first].Member;
-      members.emplace_back(CycleOf(this->Stitcher.Polygons, this->Stitcher.Graph,
-                             this->Group.Loops[member], !this->Group.Polygons[member].Upper),
+      members.emplace_back(CycleOf(this->Stitcher.Cycles, this->Stitcher.Graph,
+                             this->Group.Loops[member], !this->Group.Outlines[member].Upper),
         member);
     }
   }
@@ -491,7 +474,7 @@ void PatchMaker::FindMembers()
     for (Index i = 0; i < count; ++i)
     {
       // Cycles below a slice are passed backwards.
-      const bool backwards = this->Group.Polygons[member.second].Upper;
+      const bool backwards = this->Group.Outlines[member.second].Upper;
       this->Border.push_back(first + (backwards ? count - 1 - i : i));
     }
   }
@@ -505,7 +488,7 @@ Index PatchMaker::CornerOf(Index corner)
     const ContourCorner& at = this->Corners[corner];
     const Index count = this->Stitcher.Places[this->Group.Loops[at.Member]].Count;
     return this->FirstPlace[at.Member] +
-      (this->Group.Polygons[at.Member].Upper ? count - 1 - at.Place : at.Place);
+      (this->Group.Outlines[at.Member].Upper ? count - 1 - at.Place : at.Place);
   }
   Index& own = this->Own[corner - contours];
   if (own == 0)
@@ -615,11 +598,11 @@ void SlabStitcher::AddPatches(std::size_t index, std::vector<PatchMesh>& meshes)
 }
 
 std::vector<PatchMesh> SlabStitcher::Run(
-  LoopCriterion criterion, const std::vector<LoopPair>& pairs, const Execution& execution)
+  CorrespondenceCriterion criterion, const std::vector<LoopPair>& pairs, const Execution& execution)
 {
   this->FormGroups(criterion, pairs);
-  const bool mayShear =
-    criterion != LoopCriterion::ByEvidence && criterion != LoopCriterion::Overlap;
+  const bool mayShear = criterion != CorrespondenceCriterion::ByEvidence &&
+    criterion != CorrespondenceCriterion::Overlap;
   execution.For(this->Groups.size(),
     [&](std::size_t begin, std::size_t end)
     {
@@ -649,8 +632,8 @@ std::vector<PatchMesh> SlabStitcher::Run(
 }
 }
 
-std::vector<PatchMesh> StitchSlabs(const SpatialGrid& grid, const Cycles& polygons,
-  LoopCriterion criterion, const std::vector<LoopPair>& pairs, const Execution& execution,
+std::vector<PatchMesh> StitchSlabs(const SpatialGrid& grid, const CellCycles& cycles,
+  CorrespondenceCriterion criterion, const std::vector<LoopPair>& pairs, const Execution& execution,
   NodeGraph& graph)
 {
   int families = 0;
@@ -664,6 +647,6 @@ std::vector<PatchMesh> StitchSlabs(const SpatialGrid& grid, const Cycles& polygo
   {
     return {};
   }
-  return SlabStitcher(grid, polygons, axis, graph).Run(criterion, pairs, execution);
+  return SlabStitcher(grid, cycles, axis, graph).Run(criterion, pairs, execution);
 }
 }

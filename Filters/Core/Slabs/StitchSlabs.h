@@ -8,16 +8,6 @@
 
 namespace orthoslices
 {
-/// Which contours of parallel slices belong together where no orthogonal slice says so.
-enum class LoopCriterion
-{
-  ByEvidence, ///< those that overlap, and others by the evidence of CycleJoin
-  Overlap,
-  EllipticalCylinders,
-  SpanningTree,
-  ReebGraph
-};
-
 /// Two loops that bound one patch, by their cycles in its cell; First < Second.
 struct LoopPair
 {
@@ -26,7 +16,7 @@ struct LoopPair
 
 /// What a criterion says of the loops of G, whose cycles are the last ones. ByEvidence: overlap.
 std::vector<LoopPair> PairLoops(
-  const CycleGeometry& geometry, LoopCriterion criterion, const PriorKnowledge& known);
+  const CycleGeometry& geometry, CorrespondenceCriterion criterion, const PriorKnowledge& known);
 
 /**
  * The surface between parallel slices (our own addition): if there are slices of one family only,
@@ -37,8 +27,8 @@ std::vector<LoopPair> PairLoops(
  *
  * Returns the patches, ascending by their first cycle; slabs that rounding spoils have none.
  */
-std::vector<PatchMesh> StitchSlabs(const SpatialGrid& grid, const Cycles& polygons,
-  LoopCriterion criterion, const std::vector<LoopPair>& pairs, const Execution& execution,
+std::vector<PatchMesh> StitchSlabs(const SpatialGrid& grid, const CellCycles& cycles,
+  CorrespondenceCriterion criterion, const std::vector<LoopPair>& pairs, const Execution& execution,
   NodeGraph& graph);
 }
 

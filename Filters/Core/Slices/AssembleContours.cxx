@@ -246,7 +246,7 @@ void Assembler::JoinNearEnds()
   {
     const Index at = this->VertexOf(loose[i]);
     End nearest = None;
-    double least = this->Tolerance;
+    double minimum = this->Tolerance;
     for (std::size_t j = i + 1; j < loose.size() && this->Link[loose[i]] == None; ++j)
     {
       const Index other = this->VertexOf(loose[j]);
@@ -254,10 +254,10 @@ void Assembler::JoinNearEnds()
       {
         break;
       }
-      if (this->Link[loose[j]] == None && this->Distance(at, other) <= least)
+      if (this->Link[loose[j]] == None && this->Distance(at, other) <= minimum)
       {
         nearest = loose[j];
-        least = this->Distance(at, other);
+        minimum = this->Distance(at, other);
       }
     }
     if (nearest != None)

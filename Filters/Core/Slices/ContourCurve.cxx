@@ -66,11 +66,11 @@ double ContourCurve::FindNoise(double window) const
 
 void ContourCurve::FindCorners(double spacing, double noise, double angle)
 {
-  constexpr double leastReach = 0.12; // of the spacing
+  constexpr double minReach = 0.12;   // of the spacing
   constexpr double noiseReach = 10.0; // the directions are then known to some ten degrees
   constexpr double certainty = 3.0;   // times the deviation of a direction
-  const double reach = std::max(leastReach * spacing, noiseReach * noise);
-  const double least = angle + certainty * 2.0 * noise / reach;
+  const double reach = std::max(minReach * spacing, noiseReach * noise);
+  const double minimum = angle + certainty * 2.0 * noise / reach;
   this->Corners.clear();
   std::vector<double> turns(this->Points.size(), 0.0);
   bool any = false;
@@ -79,8 +79,8 @@ void ContourCurve::FindCorners(double spacing, double noise, double angle)
     const Point2 to = this->Reach(i, reach, false), from = this->Reach(i, reach, true);
     const double turn =
       std::abs(std::atan2(from[0] * to[1] - from[1] * to[0], -from[0] * to[0] - from[1] * to[1]));
-    turns[i] = turn > least ? turn : 0.0;
-    any |= turn > least;
+    turns[i] = turn > minimum ? turn : 0.0;
+    any |= turn > minimum;
   }
   if (any)
   {
@@ -141,9 +141,9 @@ struct ContourCurve::Moments
   }
 
   /// Coefficients of both coordinates, of as many terms as there are points for.
-  bool Solve(int leastForCubic, double (&u)[Terms], double (&v)[Terms]) const
+  bool Solve(int minForCubic, double (&u)[Terms], double (&v)[Terms]) const
   {
-    const int terms = this->Count >= leastForCubic ? 4 : this->Count >= 4 ? 3 : 2;
+    const int terms = this->Count >= minForCubic ? 4 : this->Count >= 4 ? 3 : 2;
     // Points that hardly determine a curve give the straightest one.
     constexpr double straight = 1e-8;
     double matrix[Terms][Terms];
@@ -173,14 +173,15 @@ ContourCurve::Fit ContourCurve::FitAt(Index i, double window) const
   const Point2& origin = this->Points[i];
   const double scale = std::max(std::min(window, 0.3 * this->Lengths.back()), 1e-300);
   // No point is taken on both sides.
-  const Index most = std::min(this->Count() / 3 + 1, std::max<Index>(1, (this->Count() - 1) / 2));
+  const Index maximum =
+    std::min(this->Count() / 3 + 1, std::max<Index>(1, (this->Count() - 1) / 2));
   Moments sums;
   sums.Add(0.0, 0.0, 0.0);
   for (const bool forward : { true, false })
   {
     double length = 0.0;
     Index j = i;
-    for (Index n = 0; n < most && (n == 0 || !this->IsCorner(j)); ++n)
+    for (Index n = 0; n < maximum && (n == 0 || !this->IsCorner(j)); ++n)
     {
       const Index next = forward ? this->After(j) : this->Before(j);
       length += this->Step(forward ? j : next);
@@ -222,11 +223,11 @@ void MeasuredCurve::Set(std::vector<Point2>&& points, double spacing, double cor
 {
   // Of the spacing.
   constexpr double noiseWindow = 0.3;
-  constexpr double leastWindow = 0.15;
-  constexpr double mostWindow = 1.5;
+  constexpr double minWindow = 0.15;
+  constexpr double maxWindow = 1.5;
   // Cuts through meshes have ten times that, curves between exact points less.
-  constexpr double mostExactNoise = 1e-4;
-  constexpr double mostExactStep = 0.25;
+  constexpr double maxExactNoise = 1e-4;
+  constexpr double maxExactStep = 0.25;
   this->Curve.Set(std::move(points));
   this->Noise = this->Curve.FindNoise(noiseWindow * spacing);
   this->Curve.FindCorners(spacing, 0.0, cornerAngle);
@@ -245,9 +246,9 @@ void MeasuredCurve::Set(std::vector<Point2>&& points, double spacing, double cor
     }
   }
   const double step = this->Curve.LengthTo(this->Curve.Count()) / this->Curve.Count();
-  this->Curve.SetExact(this->Noise < mostExactNoise * spacing && step < mostExactStep * spacing);
+  this->Curve.SetExact(this->Noise < maxExactNoise * spacing && step < maxExactStep * spacing);
   // The error of a slope is about noise / window^1.5 + window^3.
   const double window = 8.0 * std::pow(this->Noise / spacing, 0.4);
-  this->Window = spacing * std::max(leastWindow, std::min(mostWindow, window));
+  this->Window = spacing * std::max(minWindow, std::min(maxWindow, window));
 }
 }

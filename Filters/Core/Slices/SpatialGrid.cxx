@@ -30,36 +30,36 @@ double SpatialGrid::MoveInside(int axis, Index slab, double coordinate, double s
 }
 
 void SpatialGrid::GetExtent(
-  int axis, Index slab, double least, double most, double& low, double& high) const
+  int axis, Index slab, double minimum, double maximum, double& low, double& high) const
 {
   const auto& planes = this->Planes[axis];
-  double beyond = std::max(this->MeanSpacing(axis), most - least);
+  double beyond = std::max(this->MeanSpacing(axis), maximum - minimum);
   if (!(beyond > 0.0))
   {
-    beyond = std::max(std::abs(most), 1.0);
+    beyond = std::max(std::abs(maximum), 1.0);
   }
-  low = slab > 0 ? planes[slab - 1] : this->Round(least - beyond);
-  high = slab < this->Count(axis) ? planes[slab] : this->Round(most + beyond);
+  low = slab > 0 ? planes[slab - 1] : this->Round(minimum - beyond);
+  high = slab < this->Count(axis) ? planes[slab] : this->Round(maximum + beyond);
 }
 
-double LeastMeanSpacing(const SpatialGrid& grid)
+double MinMeanSpacing(const SpatialGrid& grid)
 {
-  double least = HUGE_VAL;
+  double minimum = HUGE_VAL;
   for (int axis = 0; axis < 3; ++axis)
   {
-    least = grid.Count(axis) > 1 ? std::min(least, grid.MeanSpacing(axis)) : least;
+    minimum = grid.Count(axis) > 1 ? std::min(minimum, grid.MeanSpacing(axis)) : minimum;
   }
-  return std::isfinite(least) ? least : grid.MeanSpacing(0);
+  return std::isfinite(minimum) ? minimum : grid.MeanSpacing(0);
 }
 
 double MeanSpacingInSlices(const SpatialGrid& grid, int axis)
 {
-  double least = HUGE_VAL;
+  double minimum = HUGE_VAL;
   for (const int other : { FirstAxis(axis), SecondAxis(axis) })
   {
-    least = grid.Count(other) > 1 ? std::min(least, grid.MeanSpacing(other)) : least;
+    minimum = grid.Count(other) > 1 ? std::min(minimum, grid.MeanSpacing(other)) : minimum;
   }
-  return std::isfinite(least) ? least : LeastMeanSpacing(grid);
+  return std::isfinite(minimum) ? minimum : MinMeanSpacing(grid);
 }
 
 GridEdgeCode::GridEdgeCode(const SpatialGrid& grid)

@@ -91,7 +91,8 @@ struct SpatialGrid
   double MoveInside(int axis, Index slab, double coordinate, double share = 0.0) const;
 
   /// The ends of a slab; an unbounded one ends one mean spacing beyond the range [least, most].
-  void GetExtent(int axis, Index slab, double least, double most, double& low, double& high) const;
+  void GetExtent(
+    int axis, Index slab, double minimum, double maximum, double& low, double& high) const;
 
   /// Mean distance of consecutive planes; the extent of all contours where there is only one
   /// plane.
@@ -112,7 +113,7 @@ struct SpatialGrid
 };
 
 /// The least mean spacing of the planes of an axis, of those that have two or more of them.
-double LeastMeanSpacing(const SpatialGrid& grid);
+double MinMeanSpacing(const SpatialGrid& grid);
 
 /// The same of the two axes that lie in the slices across `axis`; that of all if neither has two.
 double MeanSpacingInSlices(const SpatialGrid& grid, int axis);

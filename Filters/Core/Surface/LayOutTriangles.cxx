@@ -9,7 +9,7 @@
 
 namespace orthoslices
 {
-void LayOutTriangles(const NodeGraph& graph, const Cycles& cycles, Patches& patches)
+void LayOutTriangles(const NodeGraph& graph, const CellCycles& cycles, Patches& patches)
 {
   patches.Offsets.assign(static_cast<std::size_t>(cycles.Count()) + 1, 0);
   for (Index cycle = 0; cycle < cycles.Count(); ++cycle)
@@ -125,7 +125,7 @@ template <typename Id>
 void WriteTriangles(const Patches& patches, const CycleGeometry& geometry,
   const Execution& execution, Id* connectivity)
 {
-  execution.For(geometry.Polygons.Count(),
+  execution.For(geometry.Cycles.Count(),
     [&](std::size_t begin, std::size_t end)
     {
       std::vector<Index> border, nodePlaces;

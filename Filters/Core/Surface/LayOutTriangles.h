@@ -34,7 +34,7 @@ struct Patches
 };
 
 /// Sets the offsets, and the first points of the meshes and of Inner among the central points.
-void LayOutTriangles(const NodeGraph& graph, const Cycles& cycles, Patches& patches);
+void LayOutTriangles(const NodeGraph& graph, const CellCycles& cycles, Patches& patches);
 
 /// The points after those of G and the one of each cycle: x, y, z of each. See Patches.
 std::vector<double> ListOtherPoints(const Patches& patches);

@@ -60,7 +60,7 @@ struct CoreRun
     }
   }
 
-  double Least(int axis) const { return this->Extreme(axis, -1.0); }
+  double Minimum(int axis) const { return this->Extreme(axis, -1.0); }
   double Greatest(int axis) const { return this->Extreme(axis, 1.0); }
 
   Reconstruction Result;
@@ -119,8 +119,8 @@ TEST(JoinCycles, StackOfOneFamilyIsOneTube)
   EXPECT_EQ(run.Check.TotalGenus(), 0);
   EXPECT_EQ(run.Result.Joins.size(), 4u);
   // Domes at both ends, no higher than half a spacing.
-  EXPECT_LT(run.Least(2), 0.0);
-  EXPECT_GE(run.Least(2), -0.5 - 1e-12);
+  EXPECT_LT(run.Minimum(2), 0.0);
+  EXPECT_GE(run.Minimum(2), -0.5 - 1e-12);
   EXPECT_GT(run.Greatest(2), 4.0);
   EXPECT_LE(run.Greatest(2), 4.5 + 1e-12);
   EXPECT_GT(run.Check.TotalVolume(), 0.9 * 4.0);
@@ -167,7 +167,7 @@ TEST(JoinCycles, SingleIsolatedContourBecomesABeadOfSomeVolume)
   const CoreRun run(Square("y=0", 0.0, 0.0, 1.0));
   EXPECT_EQ(run.Check.Components, 1);
   EXPECT_EQ(run.Check.TotalGenus(), 0);
-  EXPECT_LT(run.Least(1), 0.0);
+  EXPECT_LT(run.Minimum(1), 0.0);
   EXPECT_GT(run.Greatest(1), 0.0);
   EXPECT_GT(run.Check.TotalVolume(), 0.1);
 }
@@ -331,14 +331,14 @@ Sets PartsWithoutJoins(const Reconstruction& result)
 {
   const CycleGeometry geometry = GeometryOf(result);
   Sets parts(result.Graph.Nodes + static_cast<Index>(result.Graph.Loops.size()));
-  for (Index cycle = 0; cycle < result.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < result.Cycles.Count(); ++cycle)
   {
     if (!geometry.IsLoop(cycle))
     {
-      for (Index i = result.Polygons.Offsets[cycle]; i < result.Polygons.Offsets[cycle + 1]; ++i)
+      for (Index i = result.Cycles.Offsets[cycle]; i < result.Cycles.Offsets[cycle + 1]; ++i)
       {
         parts.Unite(
-          geometry.PartOf(cycle), StartNode(result.Lattice, result.Nodes, result.Polygons.Arcs[i]));
+          geometry.PartOf(cycle), StartNode(result.Crossings, result.Nodes, result.Cycles.Arcs[i]));
       }
     }
   }
@@ -354,12 +354,12 @@ void ExpectSoundChoice(const Reconstruction& result, const PriorKnowledge& known
   EXPECT_EQ(counted.TotalGenus(), result.Topology.Genus);
   const Sets without = PartsWithoutJoins(result);
   Sets reachable = without, parts = without;
-  Sets inCell(result.Polygons.Count());
+  Sets inCell(result.Cycles.Count());
   double weakest = HUGE_VAL;
   for (const CycleJoin& join : result.Joins)
   {
     EXPECT_LT(join.First, join.Second);
-    EXPECT_EQ(result.Polygons.Cell[join.First], result.Polygons.Cell[join.Second]);
+    EXPECT_EQ(result.Cycles.Cell[join.First], result.Cycles.Cell[join.Second]);
     EXPECT_FALSE(join.Chosen && join.Impossible);
     if (!join.Impossible)
     {
@@ -397,8 +397,8 @@ void ExpectSoundChoice(const Reconstruction& result, const PriorKnowledge& known
   for (const CycleJoin* join : inOrder)
   {
     const bool connects = grown.Unite(geometry.PartOf(join->First), geometry.PartOf(join->Second));
-    double& least = connects ? weakestConnection : weakestHandle;
-    least = std::min(least, join->Evidence);
+    double& minimum = connects ? weakestConnection : weakestHandle;
+    minimum = std::min(minimum, join->Evidence);
     handles += connects ? 0 : 1;
   }
   for (const CycleJoin& join : result.Joins)
@@ -446,7 +446,7 @@ TEST(JoinCycles, ChoicesOnRandomInputs)
       : seed % 4 == 1           ? RandomContradictoryInput(seed)
                                 : RandomSparseInput(seed);
     SCOPED_TRACE(input.Name);
-    input.Settings.LeastComponent = 0.0;
+    input.Settings.MinComponent = 0.0;
     for (const PriorKnowledge& known :
       { PriorKnowledge{ 0, -1 }, PriorKnowledge{ 1, -1 }, PriorKnowledge{ 1, 0 },
         PriorKnowledge{ 2, 2 }, PriorKnowledge{ 0, 3 }, PriorKnowledge{ 1000, -1 } })

@@ -34,13 +34,13 @@ Index CycleAt(const Reconstruction& result, double u, double z)
 {
   const CycleGeometry geometry = GeometryOf(result);
   Index best = -1;
-  double least = 1e9;
-  for (Index cycle = 0; cycle < result.Polygons.Count(); ++cycle)
+  double minimum = 1e9;
+  for (Index cycle = 0; cycle < result.Cycles.Count(); ++cycle)
   {
     const Point3 p = result.Graph.PointAt(geometry.GetBorders({ cycle }).front());
-    if (result.Polygons.Cell[cycle][2] == 1 && p[2] == z && std::abs(p[0] - u) < least)
+    if (result.Cycles.Cell[cycle][2] == 1 && p[2] == z && std::abs(p[0] - u) < minimum)
     {
-      least = std::abs(p[0] - u);
+      minimum = std::abs(p[0] - u);
       best = cycle;
     }
   }

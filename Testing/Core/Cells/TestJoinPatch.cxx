@@ -34,9 +34,9 @@ Reconstruction RunDiscs(const PieceSets& sets)
 std::map<std::array<Index, 3>, std::vector<Index>> CyclesByCell(const Reconstruction& result)
 {
   std::map<std::array<Index, 3>, std::vector<Index>> cells;
-  for (Index cycle = 0; cycle < result.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < result.Cycles.Count(); ++cycle)
   {
-    cells[result.Polygons.Cell[cycle]].push_back(cycle);
+    cells[result.Cycles.Cell[cycle]].push_back(cycle);
   }
   for (auto cell = cells.begin(); cell != cells.end();)
   {
@@ -49,9 +49,9 @@ std::map<std::array<Index, 3>, std::vector<Index>> CyclesByCell(const Reconstruc
 std::vector<Index> CyclesAbove(const Reconstruction& result)
 {
   std::vector<Index> cycles;
-  for (Index cycle = 0; cycle < result.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < result.Cycles.Count(); ++cycle)
   {
-    if (result.Polygons.Cell[cycle][2] == 1)
+    if (result.Cycles.Cell[cycle][2] == 1)
     {
       cycles.push_back(cycle);
     }

@@ -111,7 +111,7 @@ Reconstruction RunCore(const std::string& text)
 void ExpectDisc(const Reconstruction& result, const PatchMesh& shell)
 {
   std::vector<Index> border, places;
-  GetBoundary(result.Graph, result.Lattice, result.Nodes, result.Polygons, shell.Cycles.front(),
+  GetBoundary(result.Graph, result.Crossings, result.Nodes, result.Cycles, shell.Cycles.front(),
     border, places);
   std::map<std::pair<Index, Index>, int> sides;
   std::set<Index> corners;
@@ -149,7 +149,7 @@ void ExpectInside(const Reconstruction& result, const PatchMesh& shell)
     for (int axis = 0; axis < 3; ++axis)
     {
       EXPECT_TRUE(
-        result.Grid.IsInside(axis, result.Polygons.Cell[shell.Cycles.front()][axis], p[axis]));
+        result.Grid.IsInside(axis, result.Cycles.Cell[shell.Cycles.front()][axis], p[axis]));
     }
   }
 }
@@ -229,7 +229,7 @@ std::map<std::array<Index, 3>, int> CountShells(const PieceSets& sets, bool sing
   std::map<std::array<Index, 3>, int> count;
   for (const PatchMesh& shell : result.Surface.Meshes)
   {
-    ++count[result.Polygons.Cell[shell.Cycles.front()]];
+    ++count[result.Cycles.Cell[shell.Cycles.front()]];
   }
   return count;
 }
@@ -405,7 +405,7 @@ TEST(SeparatePatches, RandomJoinsAreBuiltOrUndone)
     Reconstruction result = Reconstruct(PieceSets(input.Sets), input.Settings, Execution());
     const CycleGeometry geometry = GeometryOf(result);
     std::vector<CycleJoin> joins = result.Joins;
-    DisjointSets sets(result.Polygons.Count());
+    DisjointSets sets(result.Cycles.Count());
     for (CycleJoin& join : joins)
     {
       join.Evidence = random.Uniform(-1.0, 1.0);
@@ -417,7 +417,7 @@ TEST(SeparatePatches, RandomJoinsAreBuiltOrUndone)
       }
     }
     const std::vector<CycleJoin> before = joins;
-    const CellGroups cells = GroupByCell(result.Grid, result.Polygons, Execution());
+    const CellGroups cells = GroupByCell(result.Grid, result.Cycles, Execution());
     const std::vector<PatchMesh> noneStitched;
     PatchSeparator separator(geometry, cells, result.Surface.CentralPoints, noneStitched, true);
     const bool done = separator.Run(Execution(), joins);
@@ -457,7 +457,7 @@ TEST(SeparatePatches, RandomJoinsAreBuiltOrUndone)
     {
       result.Surface.Meshes = std::move(separated.Meshes);
       result.Surface.Inner = {};
-      LayOutTriangles(result.Graph, result.Polygons, result.Surface);
+      LayOutTriangles(result.Graph, result.Cycles, result.Surface);
       EXPECT_EQ(DescribeFlaws(MeshOf(result)), "");
     }
     built += static_cast<int>(joinsInMeshes);

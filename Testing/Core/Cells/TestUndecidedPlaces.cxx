@@ -116,7 +116,7 @@ OpenPlace Describe(const CycleGeometry& geometry, const CycleJoin& join)
 /// The most that one plane settles: one of the planes at the ends of all intervals does.
 double GreatestGain(const std::vector<OpenPlace>& places)
 {
-  double most = 0.0;
+  double maximum = 0.0;
   for (const OpenPlace& place : places)
   {
     for (const Interval& interval : place.Settled)
@@ -128,11 +128,11 @@ double GreatestGain(const std::vector<OpenPlace>& places)
         {
           gain += p.IsSettled(interval.Axis, coordinate) ? p.Uncertainty : 0.0;
         }
-        most = std::max(most, gain);
+        maximum = std::max(maximum, gain);
       }
     }
   }
-  return most;
+  return maximum;
 }
 
 /// Compares the result with greedy stabbing by brute force. An end that is rounded in another
@@ -193,7 +193,7 @@ double TotalOf(const UndecidedPlaces& undecided)
 Index CycleAt(const CycleGeometry& geometry, const Point3& corner)
 {
   Point3 low, high;
-  for (Index cycle = 0; cycle < geometry.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < geometry.Cycles.Count(); ++cycle)
   {
     FindBox(geometry, cycle, low, high);
     if (std::hypot(low[0] - corner[0], low[1] - corner[1], low[2] - corner[2]) < 1e-3)
@@ -348,10 +348,10 @@ TEST(UndecidedPlaces, PlacesBeyondTheLastPlaneHaveNone)
   const CycleGeometry geometry = GeometryOf(result);
   const UndecidedPlaces all = FindUndecidedPlaces(geometry, joins);
   ASSERT_GT(all.Planes.size(), 2u);
-  for (const Index most : { 0, 1, 2 })
+  for (const Index maximum : { 0, 1, 2 })
   {
-    const UndecidedPlaces some = FindUndecidedPlaces(geometry, joins, most);
-    EXPECT_EQ(some.Planes.size(), static_cast<std::size_t>(most));
+    const UndecidedPlaces some = FindUndecidedPlaces(geometry, joins, maximum);
+    EXPECT_EQ(some.Planes.size(), static_cast<std::size_t>(maximum));
     EXPECT_EQ(some.Places.size(), all.Places.size());
     Index settled = 0;
     for (const ProposedPlane& plane : some.Planes)
@@ -362,7 +362,7 @@ TEST(UndecidedPlaces, PlacesBeyondTheLastPlaneHaveNone)
     {
       const bool has = i < static_cast<std::size_t>(settled);
       EXPECT_EQ(some.Places[i].PlaneRank >= 0, has);
-      EXPECT_LT(some.Places[i].PlaneRank, static_cast<int>(most));
+      EXPECT_LT(some.Places[i].PlaneRank, static_cast<int>(maximum));
     }
   }
 }

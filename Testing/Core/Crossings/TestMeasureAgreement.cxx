@@ -19,8 +19,8 @@ namespace
 {
 SliceAgreement Measure(const Stages& stages)
 {
-  return MeasureAgreement(stages.Set, stages.Grid, stages.Lattice, stages.Nodes,
-    ComputeNodeNormals(stages.Set, stages.Grid, stages.Lattice, stages.Nodes, Execution()));
+  return MeasureAgreement(stages.Set, stages.Grid, stages.Crossings, stages.Nodes,
+    ComputeNodeNormals(stages.Set, stages.Grid, stages.Crossings, stages.Nodes, Execution()));
 }
 
 void ExpectAgreement(const Agreement& found, Index nodes, double meanSquare, double greatest)

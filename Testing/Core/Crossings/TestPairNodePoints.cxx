@@ -20,7 +20,7 @@ std::set<Point3> Positions(const Stages& stages)
   const GridEdgeCode code(stages.Grid);
   for (Index node = 0; node < stages.Nodes.Count(); ++node)
   {
-    positions.insert(NodePosition(stages.Grid, code, stages.Lattice, stages.Nodes, node));
+    positions.insert(NodePosition(stages.Grid, code, stages.Crossings, stages.Nodes, node));
   }
   return positions;
 }
@@ -69,7 +69,7 @@ TEST(PairNodePoints, LiesMidwayBetweenItsTwoContours)
   for (Index node = 0; node < 6; ++node)
   {
     const double distance = stages.Nodes.Disagreement(node);
-    const Point3 p = NodePosition(stages.Grid, code, stages.Lattice, stages.Nodes, node);
+    const Point3 p = NodePosition(stages.Grid, code, stages.Crossings, stages.Nodes, node);
     disagreeing += distance == 0.5 ? 1 : 0;
     EXPECT_EQ(distance == 0.5, p == (Point3{ 0, 1.25, 0 }));
   }
@@ -83,18 +83,18 @@ TEST(PairNodePoints, PartnersAreMutualAndOnTheSameEdge)
   {
     const Stages stages(RandomContradictoryInput(seed));
     SCOPED_TRACE(seed);
-    for (Index c = 0; c < stages.Lattice.Count(); ++c)
+    for (Index c = 0; c < stages.Crossings.Count(); ++c)
     {
-      if (stages.Lattice.IsRemoved(c))
+      if (stages.Crossings.IsRemoved(c))
       {
-        EXPECT_EQ(stages.Nodes.NodeOf[c], Crossings::None);
+        EXPECT_EQ(stages.Nodes.NodeOf[c], GridCrossings::None);
         continue;
       }
-      const Index partner = stages.Nodes.Partner(stages.Lattice, c);
-      EXPECT_EQ(stages.Nodes.Partner(stages.Lattice, partner), c);
-      EXPECT_EQ(stages.Lattice.Edge[partner], stages.Lattice.Edge[c]);
-      EXPECT_NE(stages.Lattice.Family[partner], stages.Lattice.Family[c]);
-      EXPECT_EQ(stages.Lattice.Sign(partner), stages.Lattice.Sign(c));
+      const Index partner = stages.Nodes.Partner(stages.Crossings, c);
+      EXPECT_EQ(stages.Nodes.Partner(stages.Crossings, partner), c);
+      EXPECT_EQ(stages.Crossings.Edge[partner], stages.Crossings.Edge[c]);
+      EXPECT_NE(stages.Crossings.Family[partner], stages.Crossings.Family[c]);
+      EXPECT_EQ(stages.Crossings.Sign(partner), stages.Crossings.Sign(c));
     }
   }
 }

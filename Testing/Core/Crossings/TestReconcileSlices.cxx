@@ -55,27 +55,27 @@ double CostOf(
 }
 
 /// Least cost of all ways to go on from entries i and j: no table, every possibility is tried.
-double LeastCost(const std::vector<double>& first, const std::vector<double>& second,
+double MinCost(const std::vector<double>& first, const std::vector<double>& second,
   std::size_t i = 0, std::size_t j = 0)
 {
   if (i == first.size() && j == second.size())
   {
     return 0.0;
   }
-  double least = HUGE_VAL;
+  double minimum = HUGE_VAL;
   if (i < first.size() && j < second.size())
   {
-    least = std::abs(first[i] - second[j]) + LeastCost(first, second, i + 1, j + 1);
+    minimum = std::abs(first[i] - second[j]) + MinCost(first, second, i + 1, j + 1);
   }
   if (i + 1 < first.size())
   {
-    least = std::min(least, first[i + 1] - first[i] + LeastCost(first, second, i + 2, j));
+    minimum = std::min(minimum, first[i + 1] - first[i] + MinCost(first, second, i + 2, j));
   }
   if (j + 1 < second.size())
   {
-    least = std::min(least, second[j + 1] - second[j] + LeastCost(first, second, i, j + 2));
+    minimum = std::min(minimum, second[j + 1] - second[j] + MinCost(first, second, i, j + 2));
   }
-  return least;
+  return minimum;
 }
 
 std::vector<double> RandomList(Random& random, std::size_t size)
@@ -114,7 +114,7 @@ TEST(MatchAlternating, AsCheapAsTheBestOfAllMatchings)
     const std::size_t m = n % 2 + 2 * random.Below(n % 2 ? 3 : 4);
     const std::vector<double> first = RandomList(random, n), second = RandomList(random, m);
     const Pairs pairs = Match(first, second);
-    EXPECT_NEAR(CostOf(pairs, first, second), LeastCost(first, second), 1e-12)
+    EXPECT_NEAR(CostOf(pairs, first, second), MinCost(first, second), 1e-12)
       << "run " << run << ", sizes " << n << " and " << m;
   }
 }
@@ -141,12 +141,12 @@ void ExpectUntouched(const Stages& stages)
 {
   EXPECT_EQ(stages.Reconciled.Vertices, 0);
   EXPECT_EQ(stages.Reconciled.Edges, 0);
-  EXPECT_EQ(stages.Lattice.Edge, stages.Registered.Edge);
-  EXPECT_EQ(stages.Lattice.Position, stages.Registered.Position);
-  EXPECT_EQ(stages.Lattice.Next, stages.Registered.Next);
-  EXPECT_EQ(stages.Lattice.Previous, stages.Registered.Previous);
-  EXPECT_EQ(stages.Lattice.RunNext, stages.Registered.RunNext);
-  EXPECT_EQ(stages.Lattice.RunCount, stages.Registered.RunCount);
+  EXPECT_EQ(stages.Crossings.Edge, stages.Registered.Edge);
+  EXPECT_EQ(stages.Crossings.Position, stages.Registered.Position);
+  EXPECT_EQ(stages.Crossings.Next, stages.Registered.Next);
+  EXPECT_EQ(stages.Crossings.Previous, stages.Registered.Previous);
+  EXPECT_EQ(stages.Crossings.RunNext, stages.Registered.RunNext);
+  EXPECT_EQ(stages.Crossings.RunCount, stages.Registered.RunCount);
 }
 }
 
@@ -172,9 +172,9 @@ std::map<std::uint64_t, std::array<std::vector<Index>, 2>> ByEdge(const Stages& 
   std::map<std::uint64_t, std::array<std::vector<Index>, 2>> edges;
   for (const Index c : stages.Edges.Crossing)
   {
-    if (!stages.Lattice.IsRemoved(c))
+    if (!stages.Crossings.IsRemoved(c))
     {
-      edges[stages.Lattice.Edge[c]][stages.Lattice.Family[c]].push_back(c);
+      edges[stages.Crossings.Edge[c]][stages.Crossings.Family[c]].push_back(c);
     }
   }
   return edges;
@@ -182,7 +182,7 @@ std::map<std::uint64_t, std::array<std::vector<Index>, 2>> ByEdge(const Stages& 
 
 void ExpectReconciled(const Stages& stages)
 {
-  const Crossings& lattice = stages.Lattice;
+  const GridCrossings& crossings = stages.Crossings;
   for (const auto& edge : ByEdge(stages))
   {
     const auto& first = edge.second[0];
@@ -190,32 +190,32 @@ void ExpectReconciled(const Stages& stages)
     ASSERT_EQ(first.size(), second.size());
     for (std::size_t i = 0; i < first.size(); ++i)
     {
-      EXPECT_EQ(lattice.Sign(first[i]), lattice.Sign(second[i]));
+      EXPECT_EQ(crossings.Sign(first[i]), crossings.Sign(second[i]));
       if (i > 0)
       {
-        EXPECT_EQ(lattice.Sign(first[i]), -lattice.Sign(first[i - 1]));
-        EXPECT_GE(lattice.Position[first[i]], lattice.Position[first[i - 1]]);
-        EXPECT_GE(lattice.Position[second[i]], lattice.Position[second[i - 1]]);
+        EXPECT_EQ(crossings.Sign(first[i]), -crossings.Sign(first[i - 1]));
+        EXPECT_GE(crossings.Position[first[i]], crossings.Position[first[i - 1]]);
+        EXPECT_GE(crossings.Position[second[i]], crossings.Position[second[i - 1]]);
       }
     }
   }
 }
 
-void ExpectLinked(const Crossings& lattice)
+void ExpectLinked(const GridCrossings& crossings)
 {
-  for (Index c = 0; c < lattice.Count(); ++c)
+  for (Index c = 0; c < crossings.Count(); ++c)
   {
-    if (!lattice.IsRemoved(c))
+    if (!crossings.IsRemoved(c))
     {
-      const Index next = lattice.Next[c];
-      ASSERT_FALSE(lattice.IsRemoved(next));
-      EXPECT_EQ(lattice.Previous[next], c);
+      const Index next = crossings.Next[c];
+      ASSERT_FALSE(crossings.IsRemoved(next));
+      EXPECT_EQ(crossings.Previous[next], c);
       Index run = c;
-      while (lattice.RunNext[run] != Crossings::None)
+      while (crossings.RunNext[run] != GridCrossings::None)
       {
-        run = lattice.RunNext[run];
+        run = crossings.RunNext[run];
       }
-      EXPECT_EQ(lattice.ArcLastRun[c], run);
+      EXPECT_EQ(crossings.ArcLastRun[c], run);
     }
   }
 }
@@ -230,7 +230,7 @@ TEST(ReconcileSlices, AfterwardsBothFamiliesAgreeOnEveryEdge)
     SCOPED_TRACE(input.Name);
     const Stages stages(input);
     ExpectReconciled(stages);
-    ExpectLinked(stages.Lattice);
+    ExpectLinked(stages.Crossings);
     changed += stages.Reconciled.Edges;
   }
   EXPECT_GT(changed, 1000);
@@ -246,7 +246,7 @@ TEST(ReconcileSlices, LoopIsInsertedWhereTheMajorityIsInside)
   EXPECT_EQ(stages.Reconciled.Edges, 0);
   EXPECT_EQ(stages.Isolated.size(), 1u); // the small square crosses nothing
   EXPECT_EQ(stages.Registered.Count(), 8);
-  EXPECT_EQ(stages.Lattice.Count(), 12);
+  EXPECT_EQ(stages.Crossings.Count(), 12);
   ASSERT_EQ(stages.Nodes.Count(), 6);
   for (Index node = 0; node < 6; ++node)
   {
@@ -254,7 +254,7 @@ TEST(ReconcileSlices, LoopIsInsertedWhereTheMajorityIsInside)
     const bool alongZ = stages.EdgeOf(stages.Nodes.First[node]).Direction == 2;
     EXPECT_EQ(stages.Nodes.Disagreement(node), alongZ ? 0.0 : 1.0);
   }
-  EXPECT_EQ(stages.Polygons.Count(), 8);
+  EXPECT_EQ(stages.Cycles.Count(), 8);
 }
 
 //----------------------------------------------------------------------------
@@ -265,7 +265,7 @@ TEST(ReconcileSlices, ContourIsTakenOffAVertexThatTheMajorityHasOutside)
   EXPECT_EQ(stages.Reconciled.Vertices, 1);
   EXPECT_EQ(stages.Reconciled.Edges, 4);
   EXPECT_EQ(stages.Nodes.Count(), 0);
-  EXPECT_EQ(stages.Polygons.Count(), 0);
+  EXPECT_EQ(stages.Cycles.Count(), 0);
   EXPECT_GE(stages.Isolated.size(), 2u);
 }
 
@@ -279,7 +279,7 @@ TEST(ReconcileSlices, DentThatOneSliceHasAloneIsSnipped)
   EXPECT_EQ(stages.Reconciled.Vertices, 0);
   EXPECT_EQ(stages.Reconciled.Edges, 1);
   EXPECT_EQ(stages.Nodes.Count(), 6);
-  EXPECT_EQ(stages.Polygons.Count(), 8);
+  EXPECT_EQ(stages.Cycles.Count(), 8);
   for (Index node = 0; node < 6; ++node)
   {
     EXPECT_EQ(stages.Nodes.Disagreement(node), 0.0);

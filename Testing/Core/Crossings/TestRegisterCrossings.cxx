@@ -46,24 +46,24 @@ struct Walk
   {
     this->Grid.Planes[0] = std::move(xs);
     this->Grid.Planes[1] = std::move(ys);
-    this->Lattice = RegisterCrossings(this->Set, this->Grid, Execution(), this->Isolated);
+    this->Crossings = RegisterCrossings(this->Set, this->Grid, Execution(), this->Isolated);
   }
 
   Seen At(Index c) const
   {
-    const GridEdge edge = GridEdgeCode(this->Grid).Decode(this->Lattice.Edge[c]);
+    const GridEdge edge = GridEdgeCode(this->Grid).Decode(this->Crossings.Edge[c]);
     // On a z-slice, grid lines along y lie on x-planes (family 0) and those along x on y-planes.
     const bool crossesX = edge.Direction == 1;
-    EXPECT_EQ(this->Lattice.Family[c], crossesX ? 0 : 1);
-    return { crossesX ? 'x' : 'y', crossesX ? edge.Second : edge.First, this->Lattice.Position[c],
-      this->Lattice.Direction[c], edge.Slab };
+    EXPECT_EQ(this->Crossings.Family[c], crossesX ? 0 : 1);
+    return { crossesX ? 'x' : 'y', crossesX ? edge.Second : edge.First, this->Crossings.Position[c],
+      this->Crossings.Direction[c], edge.Slab };
   }
 
   /// All crossings in the contour's order, from its first vertex on.
   std::vector<Seen> All() const
   {
     std::vector<Seen> all;
-    for (Index c = 0; c < this->Lattice.Count(); ++c)
+    for (Index c = 0; c < this->Crossings.Count(); ++c)
     {
       all.push_back(this->At(c));
     }
@@ -72,7 +72,7 @@ struct Walk
 
   Contours Set;
   SpatialGrid Grid;
-  Crossings Lattice;
+  GridCrossings Crossings;
   std::vector<IsolatedLoop> Isolated;
 };
 }
@@ -84,11 +84,11 @@ TEST(RegisterCrossings, SquareOverOneGridVertex)
   EXPECT_EQ(walk.All(),
     (std::vector<Seen>{ { 'x', 0, -1.0, 1, 0 }, { 'y', 0, 1.0, 1, 1 }, { 'x', 0, 1.0, -1, 1 },
       { 'y', 0, -1.0, -1, 0 } }));
-  EXPECT_EQ(walk.Lattice.Next, (std::vector<Index>{ 1, 2, 3, 0 }));
-  EXPECT_EQ(walk.Lattice.Previous, (std::vector<Index>{ 3, 0, 1, 2 }));
+  EXPECT_EQ(walk.Crossings.Next, (std::vector<Index>{ 1, 2, 3, 0 }));
+  EXPECT_EQ(walk.Crossings.Previous, (std::vector<Index>{ 3, 0, 1, 2 }));
   // Each arc has one corner of the square.
-  EXPECT_EQ(walk.Lattice.RunFirst, (std::vector<Index>{ 1, 2, 3, 0 }));
-  EXPECT_EQ(walk.Lattice.RunCount, (std::vector<Index>{ 1, 1, 1, 1 }));
+  EXPECT_EQ(walk.Crossings.RunFirst, (std::vector<Index>{ 1, 2, 3, 0 }));
+  EXPECT_EQ(walk.Crossings.RunCount, (std::vector<Index>{ 1, 1, 1, 1 }));
   EXPECT_TRUE(walk.Isolated.empty());
 }
 
@@ -110,11 +110,11 @@ TEST(RegisterCrossings, LongSegmentCrossesManyPlanesInOrder)
 TEST(RegisterCrossings, ContourWithinAFaceIsIsolated)
 {
   const Walk walk("z=0: 5,5 6,5 6,6; z=0: 0.1,0.1 0.2,0.1 0.2,0.2", { 0.0, 1.0 }, { 0.0, 1.0 });
-  EXPECT_EQ(walk.Lattice.Count(), 0);
+  EXPECT_EQ(walk.Crossings.Count(), 0);
   ASSERT_EQ(walk.Isolated.size(), 2u);
   EXPECT_EQ(walk.Isolated[0].Contour, 0);
   EXPECT_EQ(walk.Isolated[1].Contour, 1);
-  EXPECT_EQ(walk.Isolated[1].FirstRun, Crossings::None);
+  EXPECT_EQ(walk.Isolated[1].FirstRun, GridCrossings::None);
 }
 
 //----------------------------------------------------------------------------
@@ -141,15 +141,15 @@ TEST(RegisterCrossings, SegmentsAlongAPlaneLieAboveIt)
 TEST(RegisterCrossings, ThroughAGridVertex)
 {
   const Walk up("z=0: -1,-1 1,1 -9,1", { 0.0 }, { 0.0 });
-  ASSERT_GE(up.Lattice.Count(), 2);
+  ASSERT_GE(up.Crossings.Count(), 2);
   EXPECT_EQ(up.At(0), (Seen{ 'x', 0, 0.0, 1, 0 }));
   EXPECT_EQ(up.At(1), (Seen{ 'y', 0, 0.0, 1, 1 }));
   const Walk down("z=0: 1,1 -1,-1 9,-1", { 0.0 }, { 0.0 });
-  ASSERT_GE(down.Lattice.Count(), 2);
+  ASSERT_GE(down.Crossings.Count(), 2);
   EXPECT_EQ(down.At(0), (Seen{ 'y', 0, 0.0, -1, 1 }));
   EXPECT_EQ(down.At(1), (Seen{ 'x', 0, 0.0, -1, 0 }));
   const Walk across("z=0: -1,1 1,-1 1,9", { 0.0 }, { 0.0 });
-  ASSERT_GE(across.Lattice.Count(), 2);
+  ASSERT_GE(across.Crossings.Count(), 2);
   EXPECT_EQ(across.At(0), (Seen{ 'x', 0, 0.0, 1, 1 }));
   EXPECT_EQ(across.At(1), (Seen{ 'y', 0, 0.0, -1, 1 }));
 }
@@ -239,15 +239,15 @@ TEST(RegisterCrossings, ConsecutiveCrossingsBorderTheSameFace)
     SCOPED_TRACE(seed);
     std::vector<std::array<long, 2>> polygon;
     const Walk walk(IntegerPolygon(seed, polygon), planes, planes);
-    for (Index c = 0; c < walk.Lattice.Count(); ++c)
+    for (Index c = 0; c < walk.Crossings.Count(); ++c)
     {
-      const Seen from = walk.At(c), to = walk.At(walk.Lattice.Next[c]);
+      const Seen from = walk.At(c), to = walk.At(walk.Crossings.Next[c]);
       // Slab across the crossed plane after `from` and before `to`; and the slab along it.
       const Index after = from.Plane + (from.Direction > 0 ? 1 : 0);
       const Index before = to.Plane + (to.Direction > 0 ? 0 : 1);
       EXPECT_EQ(from.Axis == to.Axis ? after : from.Slab, before) << from << " then " << to;
       EXPECT_EQ(from.Axis == to.Axis ? from.Slab : after, to.Slab) << from << " then " << to;
-      EXPECT_EQ(walk.Lattice.Previous[walk.Lattice.Next[c]], c);
+      EXPECT_EQ(walk.Crossings.Previous[walk.Crossings.Next[c]], c);
     }
   }
 }
@@ -277,19 +277,19 @@ TEST(RegisterCrossings, PositionsLieOnTheirEdgesAndRunsCoverTheContours)
 //----------------------------------------------------------------------------
 TEST(FileOnEdges, GroupsByEdgeThenFamilyThenPosition)
 {
-  Crossings crossings;
+  GridCrossings crossings;
   crossings.Resize(6);
   crossings.Edge = { 7, 3, 7, 7, 3, 9 };
   crossings.Family = { 1, 0, 0, 0, 0, 0 };
   crossings.Position = { 0.0, 5.0, 2.0, 1.0, 5.0, 0.0 };
-  crossings.Next = { 0, 0, 0, 0, 0, Crossings::Removed };
+  crossings.Next = { 0, 0, 0, 0, 0, GridCrossings::Removed };
   const EdgeRegister edges = FileOnEdges(crossings);
   EXPECT_EQ(edges.Offsets, (std::vector<Index>{ 0, 2, 5 }));
   EXPECT_EQ(edges.Crossing, (std::vector<Index>{ 1, 4, 3, 2, 0 }));
 }
 
 //----------------------------------------------------------------------------
-TEST(FileOnEdges, OfNothingIsEmpty) { EXPECT_EQ(FileOnEdges(Crossings()).Count(), 0); }
+TEST(FileOnEdges, OfNothingIsEmpty) { EXPECT_EQ(FileOnEdges(GridCrossings()).Count(), 0); }
 
 //----------------------------------------------------------------------------
 TEST(CrossingPoint, IsThePointOfTheGridLine)

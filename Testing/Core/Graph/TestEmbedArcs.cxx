@@ -34,13 +34,13 @@ DrawnArc Draw(const Stages& stages, Index arc)
 {
   DrawnArc drawn;
   const int t = stages.EdgeOf(arc).Direction;
-  drawn.Axis = stages.Lattice.Family[arc] == 0 ? FirstAxis(t) : SecondAxis(t);
+  drawn.Axis = stages.Crossings.Family[arc] == 0 ? FirstAxis(t) : SecondAxis(t);
   drawn.Points.push_back(PointOf(stages.Graph, stages.Nodes.NodeOf[arc]));
   for (Index i = 0; i < stages.Graph.PointCount(arc); ++i)
   {
     drawn.Points.push_back(PointOf(stages.Graph, stages.Graph.FirstPoint(arc) + i));
   }
-  drawn.Points.push_back(PointOf(stages.Graph, stages.Nodes.NodeOf[stages.Lattice.Next[arc]]));
+  drawn.Points.push_back(PointOf(stages.Graph, stages.Nodes.NodeOf[stages.Crossings.Next[arc]]));
   // The face is that of any point between the ends; of their middle, if there is none.
   Point3 inside = drawn.Points[1];
   for (int axis = 0; drawn.Points.size() == 2 && axis < 3; ++axis)
@@ -56,9 +56,9 @@ DrawnArc Draw(const Stages& stages, Index arc)
 std::map<std::array<Index, 4>, std::vector<DrawnArc>> DrawFaces(const Stages& stages)
 {
   std::map<std::array<Index, 4>, std::vector<DrawnArc>> faces;
-  for (Index arc = 0; arc < stages.Lattice.Count(); ++arc)
+  for (Index arc = 0; arc < stages.Crossings.Count(); ++arc)
   {
-    if (!stages.Lattice.IsRemoved(arc))
+    if (!stages.Crossings.IsRemoved(arc))
     {
       const DrawnArc drawn = Draw(stages, arc);
       faces[drawn.Face].push_back(drawn);
@@ -140,7 +140,7 @@ std::string OnOnePlane(const std::string& contours, bool hole = false)
 }
 
 /// Every arc leads to the one that comes from it.
-void ExpectLinked(const Crossings& crossings)
+void ExpectLinked(const GridCrossings& crossings)
 {
   for (Index arc = 0; arc < crossings.Count(); ++arc)
   {
@@ -223,7 +223,7 @@ TEST(EmbedArcs, TakesTwoArcsApartThatCrossTwice)
   EXPECT_EQ(stages.Redrawn.size(), 1u);
   EXPECT_EQ(CountMarks(stages), 2);
   ExpectEmbedded(stages);
-  ExpectLinked(stages.Lattice);
+  ExpectLinked(stages.Crossings);
 }
 
 //----------------------------------------------------------------------------
@@ -231,7 +231,7 @@ TEST(EmbedArcs, RedrawsFacesOnDemand)
 {
   Stages stages(Octahedron());
   const std::vector<Repair> repairs =
-    EmbedArcs(stages.Grid, stages.Nodes, Execution(), stages.Lattice, stages.Graph, { 0 });
+    EmbedArcs(stages.Grid, stages.Nodes, Execution(), stages.Crossings, stages.Graph, { 0 });
   EXPECT_EQ(repairs.size(), 1u);
   EXPECT_EQ(repairs[0].Kind, RepairKind::ArcsRedrawn);
   ExpectEmbedded(stages);
@@ -248,7 +248,7 @@ TEST(EmbedArcs, NoArcsMeetWhateverTheContours)
     input.Settings.Crossing = CrossingContours::Repair;
     const Stages stages(input);
     ExpectEmbedded(stages);
-    ExpectLinked(stages.Lattice);
+    ExpectLinked(stages.Crossings);
     uncrossed += CountKind(stages, RepairKind::ArcsUncrossed);
   }
   EXPECT_GT(uncrossed, 100u);
@@ -265,7 +265,7 @@ TEST(EmbedArcs, NoShellsMeetWhateverTheContours)
     input.Settings.Crossing = CrossingContours::Repair;
     const Stages stages(input, true);
     ExpectEmbedded(stages);
-    ExpectLinked(stages.Lattice);
+    ExpectLinked(stages.Crossings);
     redrawn += CountKind(stages, RepairKind::ArcsRedrawn);
     reconnected += CountKind(stages, RepairKind::ArcsReconnected);
     EXPECT_EQ(CountKind(stages, RepairKind::ArcsUncrossed), 0u);

@@ -19,17 +19,17 @@ namespace
 /// The stages up to EmbedIsolated; contours as drawn.
 struct LoopStages : Stages
 {
-  explicit LoopStages(const std::string& text, double least = 0.0)
+  explicit LoopStages(const std::string& text, double minimum = 0.0)
     : Stages(text)
-    , Copies(CopyIsolated(this->Isolated, this->Set, this->Lattice))
+    , Copies(CopyIsolated(this->Isolated, this->Set, this->Crossings))
   {
-    this->Embed(least);
+    this->Embed(minimum);
   }
 
-  void Embed(double least)
+  void Embed(double minimum)
   {
     EmbedIsolated(
-      this->Grid, this->Nodes, Execution(), least, this->Lattice, this->Copies, this->Graph);
+      this->Grid, this->Nodes, Execution(), minimum, this->Crossings, this->Copies, this->Graph);
   }
 
   std::vector<Point3> PointsOfArc(Index arc) const
@@ -151,16 +151,16 @@ void ExpectSound(const LoopStages& stages)
   }
   for (Index arc = 0; arc < stages.Graph.Arcs; ++arc)
   {
-    if (stages.Lattice.IsRemoved(arc))
+    if (stages.Crossings.IsRemoved(arc))
     {
       continue;
     }
     const GridEdge edge = stages.EdgeOf(arc);
-    const bool first = stages.Lattice.Family[arc] == 0;
+    const bool first = stages.Crossings.Family[arc] == 0;
     const int axis = first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction);
     Curve curve{ stages.PointsOfArc(arc), axis, false };
     curve.Points.insert(curve.Points.begin(), stages.Graph.PointAt(stages.Nodes.NodeOf[arc]));
-    curve.Points.push_back(stages.Graph.PointAt(stages.Nodes.NodeOf[stages.Lattice.Next[arc]]));
+    curve.Points.push_back(stages.Graph.PointAt(stages.Nodes.NodeOf[stages.Crossings.Next[arc]]));
     for (std::size_t i = 0; i < loops.size(); ++i)
     {
       EXPECT_FALSE(axis == faces[i].Axis && (first ? edge.First : edge.Second) == faces[i].Plane &&
@@ -366,13 +366,13 @@ TEST(IsolatedContours, PartsThatWereCutOffAreNoLoops)
   {
     const Input input = RandomContradictoryInput(seed);
     const Stages stages(input);
-    IsolatedContours copies = CopyIsolated(stages.Isolated, stages.Set, stages.Lattice);
+    IsolatedContours copies = CopyIsolated(stages.Isolated, stages.Set, stages.Crossings);
     NodeGraph graph = stages.Graph;
-    Crossings lattice = stages.Lattice;
-    EmbedIsolated(stages.Grid, stages.Nodes, Execution(), 0.0, lattice, copies, graph);
+    GridCrossings crossings = stages.Crossings;
+    EmbedIsolated(stages.Grid, stages.Nodes, Execution(), 0.0, crossings, copies, graph);
     for (std::size_t i = 0; i < stages.Isolated.size(); ++i)
     {
-      if (stages.Isolated[i].FirstRun != Crossings::None)
+      if (stages.Isolated[i].FirstRun != GridCrossings::None)
       {
         cut += copies.LeftOut[i];
         kept += 1 - copies.LeftOut[i];
@@ -414,7 +414,7 @@ TEST(IsolatedContours, RandomPolygonsAsBruteForceHasThem)
     std::string text = Cube();
     const int count = 1 + static_cast<int>(random.Below(6));
     // On a lattice in every other run, so that coincidences are frequent.
-    const bool lattice = run % 2 == 0;
+    const bool crossings = run % 2 == 0;
     for (int i = 0; i < count; ++i)
     {
       // The face x in (1, 2), y < 1, where an arc runs along y = 0.5; or x > 2, y > 2.
@@ -423,9 +423,10 @@ TEST(IsolatedContours, RandomPolygonsAsBruteForceHasThem)
       const std::size_t vertices = 3 + random.Below(4);
       for (std::size_t v = 0; v < vertices; ++v)
       {
-        const auto number = [&] {
-          return lattice ? 0.125 * static_cast<double>(1 + random.Below(7))
-                         : random.Uniform(0.01, 0.99);
+        const auto number = [&]
+        {
+          return crossings ? 0.125 * static_cast<double>(1 + random.Below(7))
+                           : random.Uniform(0.01, 0.99);
         };
         const double x = (corner ? 2.0 : 1.0) + number();
         const double y = (corner ? 2.0 : 0.0) + number();

@@ -40,12 +40,12 @@ Index ComponentsByBruteForce(const Stages& stages, std::vector<Index>& label)
   for (bool changed = true; changed;)
   {
     changed = false;
-    for (Index arc = 0; arc < stages.Lattice.Count(); ++arc)
+    for (Index arc = 0; arc < stages.Crossings.Count(); ++arc)
     {
-      if (!stages.Lattice.IsRemoved(arc))
+      if (!stages.Crossings.IsRemoved(arc))
       {
         Index& a = label[stages.Nodes.NodeOf[arc]];
-        Index& b = label[stages.Nodes.NodeOf[stages.Lattice.Next[arc]]];
+        Index& b = label[stages.Nodes.NodeOf[stages.Crossings.Next[arc]]];
         changed |= a != b;
         a = b = std::min(a, b);
       }
@@ -60,11 +60,11 @@ TEST(NodeGraph, CubeHas24NodesAnd48ArcsWithACornerInHalfOfThem)
 {
   const Stages stages{ Cube() };
   EXPECT_EQ(stages.Graph.Nodes, 24);
-  EXPECT_EQ(stages.Lattice.Count(), 48);
+  EXPECT_EQ(stages.Crossings.Count(), 48);
   EXPECT_EQ(stages.Graph.Components, 1);
   EXPECT_EQ(stages.Graph.Count(), 24 + 6 * 4);
   Index corners = 0;
-  for (Index arc = 0; arc < stages.Lattice.Count(); ++arc)
+  for (Index arc = 0; arc < stages.Crossings.Count(); ++arc)
   {
     corners += stages.Graph.PointCount(arc);
     EXPECT_LE(stages.Graph.PointCount(arc), 1);
@@ -82,10 +82,10 @@ TEST(NodeGraph, ArcsKeepTheGeometryOfTheirContour)
                       "z=0: 0,-1 1,-1 1.5,-0.5 1,0 1,1 0.5,2 0,1 -1,1 -1,0 -1,-1");
   // From (1, 0) to (0, 1), both vertices of the contour: the vertices in between, in order, and no node twice.
   Index arc = -1;
-  for (Index c = 0; c < stages.Lattice.Count(); ++c)
+  for (Index c = 0; c < stages.Crossings.Count(); ++c)
   {
     const bool starts = PointOf(stages.Graph, stages.Nodes.NodeOf[c]) == Point3{ 1, 0, 0 };
-    arc = starts && stages.EdgeOf(c).Direction == 0 && stages.Lattice.Family[c] == 1 ? c : arc;
+    arc = starts && stages.EdgeOf(c).Direction == 0 && stages.Crossings.Family[c] == 1 ? c : arc;
   }
   ASSERT_GE(arc, 0);
   ASSERT_EQ(stages.Graph.PointCount(arc), 2);
@@ -138,12 +138,12 @@ TEST(NodeGraph, NoTwoArcsWithoutVerticesJoinTheSameNodes)
     const Stages stages(RandomContradictoryInput(seed));
     SCOPED_TRACE(seed);
     std::set<std::pair<Index, Index>> straight;
-    for (Index arc = 0; arc < stages.Lattice.Count(); ++arc)
+    for (Index arc = 0; arc < stages.Crossings.Count(); ++arc)
     {
-      if (!stages.Lattice.IsRemoved(arc) && stages.Graph.PointCount(arc) == 0)
+      if (!stages.Crossings.IsRemoved(arc) && stages.Graph.PointCount(arc) == 0)
       {
         const Index a = stages.Nodes.NodeOf[arc];
-        const Index b = stages.Nodes.NodeOf[stages.Lattice.Next[arc]];
+        const Index b = stages.Nodes.NodeOf[stages.Crossings.Next[arc]];
         EXPECT_NE(a, b);
         EXPECT_TRUE(straight.insert(std::minmax(a, b)).second);
       }
@@ -158,10 +158,10 @@ TEST(NodeGraph, PointsStayOnTheirSlice)
   {
     const Stages stages(RandomContradictoryInput(seed));
     SCOPED_TRACE(seed);
-    for (Index arc = 0; arc < stages.Lattice.Count(); ++arc)
+    for (Index arc = 0; arc < stages.Crossings.Count(); ++arc)
     {
       const GridEdge edge = stages.EdgeOf(arc);
-      const bool first = stages.Lattice.Family[arc] == 0;
+      const bool first = stages.Crossings.Family[arc] == 0;
       const int axis = first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction);
       const double plane = stages.Grid.Planes[axis][first ? edge.First : edge.Second];
       for (Index i = 0; i < stages.Graph.PointCount(arc); ++i)

@@ -21,9 +21,9 @@ namespace
 {
 using Corners = std::array<Point3, 3>;
 
-Reconstruction RunCore(const PieceSets& sets, double leastComponent, Options options = Options())
+Reconstruction RunCore(const PieceSets& sets, double minComponent, Options options = Options())
 {
-  options.LeastComponent = leastComponent;
+  options.MinComponent = minComponent;
   return Reconstruct(PieceSets(sets), options, Execution());
 }
 
@@ -54,7 +54,7 @@ std::vector<double> DiagonalsOf(const Reconstruction& result)
   std::vector<Point3> low(result.Graph.Components, { HUGE_VAL, HUGE_VAL, HUGE_VAL });
   std::vector<Point3> high(result.Graph.Components, { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL });
   const CycleGeometry geometry = GeometryOf(result);
-  for (Index cycle = 0; cycle < result.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < result.Cycles.Count(); ++cycle)
   {
     const Index component = result.Graph.Component[geometry.PartOf(cycle)];
     for (const Index point : geometry.GetBorders({ cycle }))
@@ -97,13 +97,13 @@ std::vector<Corners> SortedTriangles(const Reconstruction& result)
 }
 
 /// Whether no cell has cycles of small and of large components.
-bool AreApart(const Reconstruction& result, const std::vector<double>& diagonals, double least)
+bool AreApart(const Reconstruction& result, const std::vector<double>& diagonals, double minimum)
 {
   std::set<std::array<Index, 3>> cells[2];
-  for (Index cycle = 0; cycle < result.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < result.Cycles.Count(); ++cycle)
   {
     const Index component = result.Graph.Component[GeometryOf(result).PartOf(cycle)];
-    cells[diagonals[component] < least ? 1 : 0].insert(result.Polygons.Cell[cycle]);
+    cells[diagonals[component] < minimum ? 1 : 0].insert(result.Cycles.Cell[cycle]);
   }
   return std::none_of(cells[1].begin(), cells[1].end(),
     [&](const std::array<Index, 3>& cell) { return cells[0].count(cell) > 0; });
@@ -198,8 +198,8 @@ TEST(SmallComponents, RandomInputs)
     }
     for (std::size_t i = 0; i < rest.Nodes.NodeOf.size(); ++i)
     {
-      const bool has = rest.Nodes.NodeOf[i] != Crossings::None;
-      EXPECT_EQ(has, !rest.Lattice.IsRemoved(static_cast<Index>(i)));
+      const bool has = rest.Nodes.NodeOf[i] != GridCrossings::None;
+      EXPECT_EQ(has, !rest.Crossings.IsRemoved(static_cast<Index>(i)));
     }
     // What shares no cell with what is left out stays as it is.
     if (small > 0 && rest.SmallComponents == small && AreApart(all, before, share * all.Diagonal))

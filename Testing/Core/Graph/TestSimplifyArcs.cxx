@@ -19,7 +19,7 @@ namespace
 NodeGraph Thin(const Stages& stages, double tolerance, const Execution& execution = Execution())
 {
   NodeGraph graph = stages.Graph;
-  ThinArcs(tolerance, stages.Lattice, stages.Nodes, execution, graph);
+  ThinArcs(tolerance, stages.Crossings, stages.Nodes, execution, graph);
   return graph;
 }
 
@@ -31,7 +31,7 @@ std::vector<Point3> PointsOf(const Stages& stages, const NodeGraph& graph, Index
   {
     points.push_back(graph.PointAt(graph.FirstPoint(arc) + i));
   }
-  points.push_back(graph.PointAt(stages.Nodes.NodeOf[stages.Lattice.Next[arc]]));
+  points.push_back(graph.PointAt(stages.Nodes.NodeOf[stages.Crossings.Next[arc]]));
   return points;
 }
 
@@ -54,9 +54,9 @@ Stages FineSlices(const Solid& solid, int count = 7, int subdivisions = 12)
 double ExpectThinned(const Stages& stages, const NodeGraph& thin)
 {
   double worst = 0.0;
-  for (Index arc = 0; arc < stages.Lattice.Count(); ++arc)
+  for (Index arc = 0; arc < stages.Crossings.Count(); ++arc)
   {
-    if (stages.Lattice.IsRemoved(arc))
+    if (stages.Crossings.IsRemoved(arc))
     {
       EXPECT_EQ(thin.PointCount(arc), 0);
       continue;
@@ -133,7 +133,7 @@ TEST(ThinArcs, BothArcsOfAContourWithTwoNodePoints)
 {
   const Stages stages("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1");
   ASSERT_EQ(stages.Nodes.Count(), 2);
-  ASSERT_EQ(stages.Lattice.Count(), 4);
+  ASSERT_EQ(stages.Crossings.Count(), 4);
   const NodeGraph thin = Thin(stages, 0.5);
   for (Index arc = 0; arc < 4; ++arc)
   {

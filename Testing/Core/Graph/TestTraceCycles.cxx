@@ -27,14 +27,14 @@ Point3 PointOf(const NodeGraph& graph, Index i)
 std::map<Cell, std::set<ArcSet>> TracedCycles(const Stages& stages)
 {
   std::map<Cell, std::set<ArcSet>> cycles;
-  for (Index i = 0; i < stages.Polygons.Count(); ++i)
+  for (Index i = 0; i < stages.Cycles.Count(); ++i)
   {
     ArcSet arcs;
-    for (Index a = stages.Polygons.Offsets[i]; a < stages.Polygons.Offsets[i + 1]; ++a)
+    for (Index a = stages.Cycles.Offsets[i]; a < stages.Cycles.Offsets[i + 1]; ++a)
     {
-      arcs.insert(stages.Polygons.Arcs[a].Arc);
+      arcs.insert(stages.Cycles.Arcs[a].Arc);
     }
-    cycles[stages.Polygons.Cell[i]].insert(arcs);
+    cycles[stages.Cycles.Cell[i]].insert(arcs);
   }
   return cycles;
 }
@@ -49,9 +49,9 @@ std::array<Cell, 2> CellsBeside(const Stages& stages, Index arc)
   const Point3 a = PointOf(stages.Graph, stages.Nodes.NodeOf[arc]);
   const Point3 b = stages.Graph.PointCount(arc) > 0
     ? PointOf(stages.Graph, stages.Graph.FirstPoint(arc))
-    : PointOf(stages.Graph, stages.Nodes.NodeOf[stages.Lattice.Next[arc]]);
+    : PointOf(stages.Graph, stages.Nodes.NodeOf[stages.Crossings.Next[arc]]);
   const GridEdge edge = stages.EdgeOf(arc);
-  const bool first = stages.Lattice.Family[arc] == 0;
+  const bool first = stages.Crossings.Family[arc] == 0;
   const int axis = first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction);
   const Index plane = first ? edge.First : edge.Second;
   Cell cell;
@@ -68,9 +68,9 @@ std::array<Cell, 2> CellsBeside(const Stages& stages, Index arc)
 std::map<Cell, std::set<ArcSet>> CyclesByBruteForce(const Stages& stages)
 {
   std::map<Cell, ArcSet> arcs;
-  for (Index arc = 0; arc < stages.Lattice.Count(); ++arc)
+  for (Index arc = 0; arc < stages.Crossings.Count(); ++arc)
   {
-    if (!stages.Lattice.IsRemoved(arc))
+    if (!stages.Crossings.IsRemoved(arc))
     {
       for (const Cell& cell : CellsBeside(stages, arc))
       {
@@ -91,12 +91,12 @@ std::map<Cell, std::set<ArcSet>> CyclesByBruteForce(const Stages& stages)
         for (const Index arc : cycle)
         {
           nodes.insert(stages.Nodes.NodeOf[arc]);
-          nodes.insert(stages.Nodes.NodeOf[stages.Lattice.Next[arc]]);
+          nodes.insert(stages.Nodes.NodeOf[stages.Crossings.Next[arc]]);
         }
         for (const Index arc : entry.second)
         {
           if (nodes.count(stages.Nodes.NodeOf[arc]) ||
-            nodes.count(stages.Nodes.NodeOf[stages.Lattice.Next[arc]]))
+            nodes.count(stages.Nodes.NodeOf[stages.Crossings.Next[arc]]))
           {
             cycle.insert(arc);
           }
@@ -118,12 +118,12 @@ std::map<Cell, std::set<ArcSet>> CyclesByBruteForce(const Stages& stages)
 TEST(TraceCycles, OctahedronHasATriangleInEveryOctant)
 {
   const Stages stages{ Octahedron() };
-  ASSERT_EQ(stages.Polygons.Count(), 8);
+  ASSERT_EQ(stages.Cycles.Count(), 8);
   for (Index i = 0; i < 8; ++i)
   {
-    EXPECT_EQ(stages.Polygons.Size(i), 3);
+    EXPECT_EQ(stages.Cycles.Size(i), 3);
   }
-  std::set<Cell> cells(stages.Polygons.Cell.begin(), stages.Polygons.Cell.end());
+  std::set<Cell> cells(stages.Cycles.Cell.begin(), stages.Cycles.Cell.end());
   EXPECT_EQ(cells.size(), 8u);
   EXPECT_EQ(cells.count({ 0, 1, 0 }), 1u);
 }
@@ -132,15 +132,14 @@ TEST(TraceCycles, OctahedronHasATriangleInEveryOctant)
 TEST(TraceCycles, CubeHasOneInEveryCellButTheMiddle)
 {
   const Stages stages{ Cube() };
-  ASSERT_EQ(stages.Polygons.Count(), 26);
-  EXPECT_EQ(
-    CountPolygonSizes(stages.Polygons, stages.Graph), (std::vector<Index>{ 0, 0, 0, 8, 18 }));
-  EXPECT_EQ(GroupByCell(stages.Grid, stages.Polygons, Execution()).Several.size(), 0u);
+  ASSERT_EQ(stages.Cycles.Count(), 26);
+  EXPECT_EQ(CountPolygonSizes(stages.Cycles, stages.Graph), (std::vector<Index>{ 0, 0, 0, 8, 18 }));
+  EXPECT_EQ(GroupByCell(stages.Grid, stages.Cycles, Execution()).Several.size(), 0u);
   for (Index i = 0; i < 26; ++i)
   {
-    const Cell& cell = stages.Polygons.Cell[i];
+    const Cell& cell = stages.Cycles.Cell[i];
     const auto middles = std::count(cell.begin(), cell.end(), 1);
-    EXPECT_EQ(stages.Polygons.Size(i), middles == 0 ? 3 : 4);
+    EXPECT_EQ(stages.Cycles.Size(i), middles == 0 ? 3 : 4);
     EXPECT_LT(middles, 3);
   }
 }
@@ -156,13 +155,13 @@ TEST(TraceCycles, TwoSheetsThroughACellAreTwoCycles)
     text += std::string("y=") + plane + ": 0.2,-1 0.8,-1 0.8,2 0.2,2\n";
   }
   const Stages stages(text);
-  const CellGroups groups = GroupByCell(stages.Grid, stages.Polygons, Execution());
+  const CellGroups groups = GroupByCell(stages.Grid, stages.Cycles, Execution());
   ASSERT_EQ(groups.Several.size(), 1u);
   ASSERT_EQ(groups.Several[0].second - groups.Several[0].first, 2);
   for (Index i = groups.Several[0].first; i < groups.Several[0].second; ++i)
   {
-    EXPECT_EQ(stages.Polygons.Cell[groups.Cycles[i]], (Cell{ 1, 1, 1 }));
-    EXPECT_EQ(stages.Polygons.Size(groups.Cycles[i]), 4);
+    EXPECT_EQ(stages.Cycles.Cell[groups.Cycles[i]], (Cell{ 1, 1, 1 }));
+    EXPECT_EQ(stages.Cycles.Size(groups.Cycles[i]), 4);
   }
 }
 
@@ -173,9 +172,9 @@ TEST(TraceCycles, CellsWithSeveralCyclesAsBruteForceHasThem)
   {
     const Stages stages(RandomContradictoryInput(seed));
     SCOPED_TRACE(seed);
-    const CellGroups groups = GroupByCell(stages.Grid, stages.Polygons, Execution());
+    const CellGroups groups = GroupByCell(stages.Grid, stages.Cycles, Execution());
     const std::set<Index> all(groups.Cycles.begin(), groups.Cycles.end());
-    EXPECT_EQ(all.size(), static_cast<std::size_t>(stages.Polygons.Count()));
+    EXPECT_EQ(all.size(), static_cast<std::size_t>(stages.Cycles.Count()));
     std::size_t several = 0;
     for (const auto& entry : TracedCycles(stages))
     {
@@ -208,14 +207,14 @@ TEST(TraceCycles, EveryArcIsPassedOnceAboveAndOnceBelowItsSlice)
   {
     const Stages stages(RandomContradictoryInput(seed));
     SCOPED_TRACE(seed);
-    std::vector<int> passed(2 * stages.Lattice.Count(), 0);
-    for (const HalfArc& half : stages.Polygons.Arcs)
+    std::vector<int> passed(2 * stages.Crossings.Count(), 0);
+    for (const HalfArc& half : stages.Cycles.Arcs)
     {
       ++passed[2 * half.Arc + (half.Above ? 1 : 0)];
     }
-    for (Index arc = 0; arc < stages.Lattice.Count(); ++arc)
+    for (Index arc = 0; arc < stages.Crossings.Count(); ++arc)
     {
-      const int expected = stages.Lattice.IsRemoved(arc) ? 0 : 1;
+      const int expected = stages.Crossings.IsRemoved(arc) ? 0 : 1;
       EXPECT_EQ(passed[2 * arc], expected);
       EXPECT_EQ(passed[2 * arc + 1], expected);
     }
@@ -228,7 +227,7 @@ TEST(TraceCycles, SeveralCyclesAndSizesAreCountedAsByHand)
   SpatialGrid grid;
   grid.Planes = { std::vector<double>{ 0, 1 }, std::vector<double>{ 0, 1 },
     std::vector<double>{ 0, 1 } };
-  Cycles cycles;
+  CellCycles cycles;
   cycles.Cell = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 2, 2, 2 }, { 1, 0, 0 }, { 1, 0, 0 } };
   cycles.Offsets = { 0, 3, 7, 10, 15, 17, 21 };
   cycles.Arcs.resize(21);
@@ -240,11 +239,10 @@ TEST(TraceCycles, SeveralCyclesAndSizesAreCountedAsByHand)
 TEST(GetBoundary, GoesAroundTheCycleOverNodesAndArcVertices)
 {
   const Stages stages{ Cube() };
-  const auto at =
-    std::find(stages.Polygons.Cell.begin(), stages.Polygons.Cell.end(), Cell{ 0, 0, 0 });
-  const auto cycle = static_cast<Index>(at - stages.Polygons.Cell.begin());
+  const auto at = std::find(stages.Cycles.Cell.begin(), stages.Cycles.Cell.end(), Cell{ 0, 0, 0 });
+  const auto cycle = static_cast<Index>(at - stages.Cycles.Cell.begin());
   std::vector<Index> points{ 99, 99 }, nodes{ 99 };
-  GetBoundary(stages.Graph, stages.Lattice, stages.Nodes, stages.Polygons, cycle, points, nodes);
+  GetBoundary(stages.Graph, stages.Crossings, stages.Nodes, stages.Cycles, cycle, points, nodes);
   ASSERT_EQ(points.size(), 6u);
   EXPECT_EQ(nodes, (std::vector<Index>{ 0, 2, 4 }));
   // Counter-clockwise seen from outside, that is from the corner (0, 0, 0).

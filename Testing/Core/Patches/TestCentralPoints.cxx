@@ -17,7 +17,7 @@ namespace
 {
 std::vector<double> NormalsOf(const Stages& stages)
 {
-  return ComputeNodeNormals(stages.Set, stages.Grid, stages.Lattice, stages.Nodes, Execution());
+  return ComputeNodeNormals(stages.Set, stages.Grid, stages.Crossings, stages.Nodes, Execution());
 }
 
 std::vector<Point3> CentersOf(const Stages& stages, CentralPointMethod method)
@@ -34,8 +34,8 @@ std::vector<Point3> CentersOf(const Stages& stages, CentralPointMethod method)
 
 Point3 CenterIn(const Stages& stages, CentralPointMethod method, const std::array<Index, 3>& cell)
 {
-  const auto at = std::find(stages.Polygons.Cell.begin(), stages.Polygons.Cell.end(), cell);
-  return CentersOf(stages, method)[at - stages.Polygons.Cell.begin()];
+  const auto at = std::find(stages.Cycles.Cell.begin(), stages.Cycles.Cell.end(), cell);
+  return CentersOf(stages, method)[at - stages.Cycles.Cell.begin()];
 }
 
 void ExpectNear(const Point3& a, const Point3& b)
@@ -138,7 +138,7 @@ TEST(CentralPoint, LiesInItsClosedCell)
         for (int axis = 0; axis < 3; ++axis)
         {
           const double x = centers[i][axis];
-          EXPECT_EQ(stages.Grid.Clamp(axis, stages.Polygons.Cell[i][axis], x), x);
+          EXPECT_EQ(stages.Grid.Clamp(axis, stages.Cycles.Cell[i][axis], x), x);
         }
       }
     }

@@ -49,7 +49,7 @@ struct CoonsPatch
 
 Index CycleIn(const Stages& stages, const std::array<Index, 3>& cell)
 {
-  const auto& cells = stages.Polygons.Cell;
+  const auto& cells = stages.Cycles.Cell;
   return static_cast<Index>(std::find(cells.begin(), cells.end(), cell) - cells.begin());
 }
 
@@ -77,7 +77,7 @@ std::string CubeWithVertices()
 TEST(CoonsPatch, OfOnePartIsTheFan)
 {
   const Stages stages{ CubeWithVertices() };
-  for (Index cycle = 0; cycle < stages.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < stages.Cycles.Count(); ++cycle)
   {
     const CoonsPatch patch(stages, cycle, 1);
     std::set<std::array<Index, 3>> fan, found;
@@ -119,7 +119,7 @@ TEST(CoonsPatch, IsADiscWithPointsInsideTheCell)
   {
     const Stages stages(
       seed % 2 == 0 ? RandomConsistentInput(seed) : RandomContradictoryInput(seed));
-    for (Index cycle = 0; cycle < stages.Polygons.Count(); cycle += 3)
+    for (Index cycle = 0; cycle < stages.Cycles.Count(); cycle += 3)
     {
       ++cycles;
       const CoonsPatch coons(stages, cycle, 1 + cycle % 4);

@@ -20,7 +20,7 @@ struct Crease
 {
   Crease(const Stages& stages, const std::array<Index, 3>& cell)
   {
-    const auto& cells = stages.Polygons.Cell;
+    const auto& cells = stages.Cycles.Cell;
     this->Cycle = static_cast<Index>(std::find(cells.begin(), cells.end(), cell) - cells.begin());
     this->Normals = EstimateNormals(stages.Geometry(), 1.05, {}, Execution());
     this->Border.Set(stages.Geometry(), this->Normals, this->Cycle);
@@ -89,7 +89,7 @@ TEST(CreasePatch, IsAFanWithItsPointInsideTheCell)
     const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 0.5, {}, Execution());
     PatchBorder border;
     InnerPatch patch;
-    for (Index cycle = 0; cycle < stages.Polygons.Count(); ++cycle)
+    for (Index cycle = 0; cycle < stages.Cycles.Count(); ++cycle)
     {
       border.Set(stages.Geometry(), normals, cycle);
       if (!HasCorner(border, normals.Corners))

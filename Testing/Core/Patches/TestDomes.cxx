@@ -43,7 +43,7 @@ Reconstruction CappedBall(bool cavity, PatchMethod method)
 Index DomeOf(const Reconstruction& result)
 {
   const CycleGeometry geometry = GeometryOf(result);
-  for (Index cycle = 0; cycle < result.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < result.Cycles.Count(); ++cycle)
   {
     if (geometry.IsLoop(cycle) && geometry.FirstArc(cycle).Above)
     {
@@ -112,7 +112,7 @@ TEST(Domes, AreRoundWhereNothingIsKnown)
   const Reconstruction result =
     Reconstruct(ParsePieces("z=0: 0,0 2,0 2,2 0,2; z=9: 0,0 2,0 2,2 0,2"), options, Execution());
   const CycleGeometry geometry = GeometryOf(result);
-  for (Index cycle = 0; cycle < result.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < result.Cycles.Count(); ++cycle)
   {
     const HalfArc& half = geometry.FirstArc(cycle);
     const double plane = geometry.LoopOf(cycle) == 0 ? 0.0 : 9.0;

@@ -30,7 +30,7 @@ struct Borders
 {
   explicit Borders(const Stages& stages)
     : Geometry(stages.Geometry())
-    , Cells(GroupByCell(stages.Grid, stages.Polygons, Execution()))
+    , Cells(GroupByCell(stages.Grid, stages.Cycles, Execution()))
     , Normals(EstimateNormals(Geometry, 1.05, {}, Execution()))
     , CentralPoints(LocateCentralPoints(CentralPointMethod::Centroid, Geometry,
         std::vector<double>(3 * static_cast<std::size_t>(stages.Nodes.Count()), 0.0), Execution()))
@@ -90,9 +90,9 @@ Stages Plate()
 std::vector<Index> CyclesIn(const Stages& stages, const std::array<Index, 3>& cell)
 {
   std::vector<Index> cycles;
-  for (Index cycle = 0; cycle < stages.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < stages.Cycles.Count(); ++cycle)
   {
-    if (stages.Polygons.Cell[cycle] == cell)
+    if (stages.Cycles.Cell[cycle] == cell)
     {
       cycles.push_back(cycle);
     }
@@ -125,7 +125,7 @@ TEST(InnerPatches, AreDiscsOneForEachCycle)
       const Stages stages(RandomContradictoryInput(seed));
       const Borders borders(stages);
       const InnerPatches patches = borders.Build(With(method));
-      cycles += stages.Polygons.Count();
+      cycles += stages.Cycles.Count();
       built += patches.Count();
       EXPECT_TRUE(std::adjacent_find(patches.Cycle.begin(), patches.Cycle.end(),
                     std::greater_equal<Index>()) == patches.Cycle.end());
@@ -173,7 +173,7 @@ TEST(InnerPatches, DomesThatMeetUprightStayFans)
   options.Several = SeveralCycles::Discs;
   const Reconstruction result =
     Reconstruct(ParsePieces("z=0: 0,0 2,0 2,2 0,2; z=9: 0,0 2,0 2,2 0,2"), options, Execution());
-  EXPECT_EQ(result.Polygons.Count(), 4);
+  EXPECT_EQ(result.Cycles.Count(), 4);
   EXPECT_EQ(result.Surface.Inner.Count(), 0);
 }
 
@@ -204,7 +204,7 @@ TEST(InnerPatches, BordersWithCornersGetCreases)
   ASSERT_EQ(patches.Count(), 26);
   for (Index i = 0; i < patches.Count(); ++i)
   {
-    const auto& cell = stages.Polygons.Cell[patches.Cycle[i]];
+    const auto& cell = stages.Cycles.Cell[patches.Cycle[i]];
     const bool face = std::count(cell.begin(), cell.end(), 1) == 2;
     EXPECT_EQ(patches.PointOffsets[i + 1] - patches.PointOffsets[i] == 1, !face);
   }

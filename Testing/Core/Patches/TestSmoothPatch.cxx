@@ -52,7 +52,7 @@ Index VisitPatches(const Stages& stages, const SurfaceNormals& normals,
   PatchBorder border;
   InnerPatch patch;
   Index failed = 0;
-  for (Index cycle = 0; cycle < stages.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < stages.Cycles.Count(); ++cycle)
   {
     border.Set(stages.Geometry(), normals, cycle);
     if (builder.Build(border, patch))
@@ -101,7 +101,7 @@ TEST(SmoothPatch, IsADiscWithPointsInsideTheCell)
     const Stages stages(
       seed % 2 == 0 ? RandomConsistentInput(seed) : RandomContradictoryInput(seed));
     const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, {}, Execution());
-    cycles += stages.Polygons.Count();
+    cycles += stages.Cycles.Count();
     VisitPatches(stages, normals, { 0.06, 0.0 },
       [&](Index cycle, const PatchBorder& border, const InnerPatch& patch)
       {
@@ -290,7 +290,7 @@ TEST(SmoothPatch, OfAFlatBorderIsFlat)
   VisitPatches(stages, normals, { 0.2, 0.0 },
     [&](Index cycle, const PatchBorder&, const InnerPatch& patch)
     {
-      const auto& cell = stages.Polygons.Cell[cycle];
+      const auto& cell = stages.Cycles.Cell[cycle];
       if (std::count(cell.begin(), cell.end(), 1) != 2)
       {
         return;
@@ -310,22 +310,22 @@ TEST(SmoothPatch, OfAFlatBorderIsFlat)
 TEST(SmoothPatch, DeviationTellsCreasesFromSmoothBorders)
 {
   const Stages cube{ Cube() }, sphere = SphereSlices(5, 20);
-  const auto mostOf = [](const Stages& stages)
+  const auto maxOf = [](const Stages& stages)
   {
     const SurfaceNormals normals = EstimateNormals(stages.Geometry(), 1.05, {}, Execution());
     SmoothPatchBuilder builder(stages.Grid, { 0.1, 0.0 });
     PatchBorder border;
     InnerPatch patch;
-    double most = 0.0;
-    for (Index cycle = 0; cycle < stages.Polygons.Count(); ++cycle)
+    double maximum = 0.0;
+    for (Index cycle = 0; cycle < stages.Cycles.Count(); ++cycle)
     {
       border.Set(stages.Geometry(), normals, cycle);
-      most = builder.Build(border, patch) ? std::max(most, builder.Deviation()) : most;
+      maximum = builder.Build(border, patch) ? std::max(maximum, builder.Deviation()) : maximum;
     }
-    return most;
+    return maximum;
   };
-  EXPECT_GT(mostOf(cube), 0.01);
-  EXPECT_LT(mostOf(sphere), 0.01);
+  EXPECT_GT(maxOf(cube), 0.01);
+  EXPECT_LT(maxOf(sphere), 0.01);
 }
 
 //----------------------------------------------------------------------------
@@ -336,5 +336,5 @@ TEST(SmoothPatch, NoneWithoutNormals)
   normals.Normals.assign(3 * static_cast<std::size_t>(stages.Graph.Count()), 0.0f);
   EXPECT_EQ(VisitPatches(stages, normals, { 0.1, 0.0 },
               [](Index, const PatchBorder&, const InnerPatch&) { ADD_FAILURE(); }),
-    stages.Polygons.Count());
+    stages.Cycles.Count());
 }

@@ -467,12 +467,12 @@ TEST(DiscTriangulation, NoPointsCrowdAroundTinySides)
 {
   Polygon polygon = Square(4);
   polygon.insert(polygon.begin() + 2, { 0.25 + 1e-8, 0.0 });
-  const auto nearest = [&](double least)
+  const auto nearest = [&](double minimum)
   {
     DiscTriangulation disc;
     EXPECT_TRUE(disc.StartWithFan(polygon, { 0.5, 0.5 }));
     disc.MakeDelaunay();
-    disc.Refine(0.25, 4000, least);
+    disc.Refine(0.25, 4000, minimum);
     ExpectValid(disc, polygon);
     double distance = 1.0;
     for (std::size_t i = polygon.size(); i < disc.Points.size(); ++i)

@@ -206,9 +206,9 @@ void AddStar(
   {
     const double angle = 2.0 * Pi * static_cast<double>(i) / static_cast<double>(children);
     const double distance = children == 1 ? 0.0 : 0.4 * radius;
-    const double least = children == 1 ? 0.6 : 0.26;
+    const double minimum = children == 1 ? 0.6 : 0.26;
     AddStar(random, u + distance * std::cos(angle), v + distance * std::sin(angle),
-      random.Uniform(0.1, least) * radius, !hole, depth - 1, drawing);
+      random.Uniform(0.1, minimum) * radius, !hole, depth - 1, drawing);
   }
   if (hole && children != 1)
   {

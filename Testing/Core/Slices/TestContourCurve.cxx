@@ -88,13 +88,13 @@ double TangentError(
   return worst;
 }
 
-std::vector<Point2> WithNoise(std::vector<Point2> points, double most, std::uint64_t seed)
+std::vector<Point2> WithNoise(std::vector<Point2> points, double maximum, std::uint64_t seed)
 {
   Random random(seed);
   for (Point2& p : points)
   {
-    p[0] += random.Uniform(-most, most);
-    p[1] += random.Uniform(-most, most);
+    p[0] += random.Uniform(-maximum, maximum);
+    p[1] += random.Uniform(-maximum, maximum);
   }
   return points;
 }
@@ -166,24 +166,25 @@ TEST(ContourCurve, PlacesLieOnTheCurve)
 //----------------------------------------------------------------------------
 TEST(ContourCurve, ResidualIsTheNoise)
 {
-  constexpr double most = 0.01; // in each coordinate, root mean square most / sqrt(3)
-  const ContourCurve curve = CurveOf(WithNoise(Ellipse(1.0, 1.0, EqualAngles(800)), most, 1));
+  constexpr double maximum = 0.01; // in each coordinate, root mean square most / sqrt(3)
+  const ContourCurve curve = CurveOf(WithNoise(Ellipse(1.0, 1.0, EqualAngles(800)), maximum, 1));
   double sum = 0.0;
   for (Index i = 0; i < curve.Count(); ++i)
   {
     const double residual = curve.FitAt(i, 0.4).Residual;
     sum += residual * residual;
   }
-  EXPECT_NEAR(std::sqrt(sum / curve.Count()), most * std::sqrt(2.0 / 3.0), 0.15 * most);
+  EXPECT_NEAR(std::sqrt(sum / curve.Count()), maximum * std::sqrt(2.0 / 3.0), 0.15 * maximum);
 }
 
 //----------------------------------------------------------------------------
 TEST(ContourCurve, NoiseIsTheMedianResidual)
 {
-  constexpr double most = 0.01;
-  std::vector<Point2> points = WithNoise(Ellipse(1.0, 1.0, EqualAngles(800)), most, 3);
+  constexpr double maximum = 0.01;
+  std::vector<Point2> points = WithNoise(Ellipse(1.0, 1.0, EqualAngles(800)), maximum, 3);
   points[100] = { 3.0, 3.0 }; // one bad point says nothing of the others
-  EXPECT_NEAR(CurveOf(std::move(points)).FindNoise(0.4), most * std::sqrt(2.0 / 3.0), 0.25 * most);
+  EXPECT_NEAR(
+    CurveOf(std::move(points)).FindNoise(0.4), maximum * std::sqrt(2.0 / 3.0), 0.25 * maximum);
   EXPECT_LT(CurveOf(Ellipse(1.0, 1.0, RandomAngles(300, 2))).FindNoise(0.2), 1e-4);
 }
 

@@ -18,8 +18,8 @@ namespace
 Patches LayOut(const Stages& stages)
 {
   Patches patches;
-  patches.CentralPoints.resize(3 * stages.Polygons.Count());
-  LayOutTriangles(stages.Graph, stages.Polygons, patches);
+  patches.CentralPoints.resize(3 * stages.Cycles.Count());
+  LayOutTriangles(stages.Graph, stages.Cycles, patches);
   return patches;
 }
 
@@ -39,9 +39,9 @@ TEST(Triangles, OneForEachSegmentOfEachBorder)
   const Patches layout = LayOut(stages);
   // Corners: 3 nodes and 3 vertices. Edges: 4 nodes and 2 vertices. Faces: 4 nodes.
   EXPECT_EQ(layout.TriangleCount(), 8 * 6 + 12 * 6 + 6 * 4);
-  for (Index i = 0; i < stages.Polygons.Count(); ++i)
+  for (Index i = 0; i < stages.Cycles.Count(); ++i)
   {
-    const auto& cell = stages.Polygons.Cell[i];
+    const auto& cell = stages.Cycles.Cell[i];
     const bool face = std::count(cell.begin(), cell.end(), 1) == 2;
     EXPECT_EQ(layout.Offsets[i + 1] - layout.Offsets[i], face ? 4 : 6);
   }
@@ -54,9 +54,9 @@ TEST(Triangles, FanAroundTheCentralPoint)
   const Patches layout = LayOut(stages);
   const auto ids = Write<std::int32_t>(stages, layout);
   std::vector<Index> border, nodes;
-  for (Index cycle = 0; cycle < stages.Polygons.Count(); ++cycle)
+  for (Index cycle = 0; cycle < stages.Cycles.Count(); ++cycle)
   {
-    GetBoundary(stages.Graph, stages.Lattice, stages.Nodes, stages.Polygons, cycle, border, nodes);
+    GetBoundary(stages.Graph, stages.Crossings, stages.Nodes, stages.Cycles, cycle, border, nodes);
     std::set<std::pair<Index, Index>> segments, found;
     for (std::size_t i = 0; i < border.size(); ++i)
     {
@@ -99,6 +99,6 @@ TEST(Triangles, OfNothing)
   NodeGraph graph;
   graph.Offsets = { 0 };
   Patches patches;
-  LayOutTriangles(graph, Cycles(), patches);
+  LayOutTriangles(graph, CellCycles(), patches);
   EXPECT_EQ(patches.TriangleCount(), 0);
 }
