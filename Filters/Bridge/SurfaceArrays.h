@@ -7,6 +7,7 @@
 #ifndef SurfaceArrays_h
 #define SurfaceArrays_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Base/Types.h"
 
 class vtkPolyData;

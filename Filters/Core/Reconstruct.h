@@ -3,7 +3,8 @@
 #ifndef OrthoSlicesReconstruct_h
 #define OrthoSlicesReconstruct_h
 
-#include "Core/Base/Types.h"
+#include "Core/Base/Contours.h"
+#include "Core/Base/Execution.h"
 #include "Core/Cells/ChooseJoins.h"
 #include "Core/Cells/UndecidedPlaces.h"
 #include "Core/Crossings/MeasureAgreement.h"
@@ -16,6 +17,8 @@
 #include "Core/Slices/OrientContours.h"
 #include "Core/Slices/SpatialGrid.h"
 #include "Core/Surface/LayOutTriangles.h"
+
+#include <vector>
 
 namespace orthoslices
 {

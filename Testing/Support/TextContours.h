@@ -18,7 +18,7 @@
 #ifndef OrthoSlicesTextContours_h
 #define OrthoSlicesTextContours_h
 
-#include "Core/Base/Types.h"
+#include "Core/Base/Contours.h"
 
 #include <string>
 

@@ -8,6 +8,7 @@
 #ifndef OrthoSlicesThreads_h
 #define OrthoSlicesThreads_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Base/Types.h"
 #include "Support/Random.h"
 

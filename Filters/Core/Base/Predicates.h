@@ -6,6 +6,7 @@
 #include "Core/Base/Types.h"
 
 #include <cmath>
+#include <vector>
 
 /**
  * Geometric predicates. Those in the plane are exact. Those in space say when they are not

@@ -6,6 +6,8 @@
 #include "Core/Base/Predicates.h"
 #include "Core/Cells/PatchMesh.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /**

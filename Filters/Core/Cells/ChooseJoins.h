@@ -5,6 +5,8 @@
 
 #include "Core/Cells/JoinEvidence.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /// How the cycles of a cell with several of them are filled.

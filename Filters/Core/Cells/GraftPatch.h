@@ -5,6 +5,8 @@
 
 #include "Core/Cells/PatchMesh.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /**

@@ -3,8 +3,11 @@
 #ifndef OrthoSlicesJoinEvidence_h
 #define OrthoSlicesJoinEvidence_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Cells/PatchMesh.h"
 #include "Core/Slabs/StitchSlabs.h"
+
+#include <vector>
 
 namespace orthoslices
 {

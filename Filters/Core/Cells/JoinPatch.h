@@ -5,6 +5,8 @@
 
 #include "Core/Cells/TubePatch.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /**

@@ -8,17 +8,6 @@
 
 namespace orthoslices
 {
-std::vector<Index> CycleGeometry::GetBorders(const std::vector<Index>& cycles) const
-{
-  std::vector<Index> borders, border, places;
-  for (const Index cycle : cycles)
-  {
-    this->GetBoundary(cycle, border, places);
-    borders.insert(borders.end(), border.begin(), border.end());
-  }
-  return borders;
-}
-
 Index EulerCharacteristic(const PatchMesh& mesh)
 {
   std::vector<Index> corners;

@@ -4,10 +4,11 @@
 #define OrthoSlicesPatchMesh_h
 
 #include "Core/Base/Box.h"
-#include "Core/Graph/TraceCycles.h"
+#include "Core/Graph/CycleGeometry.h"
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 namespace orthoslices
 {
@@ -36,38 +37,6 @@ inline std::size_t PlaceIn(const std::vector<Index>& cycles, Index cycle)
   return static_cast<std::size_t>(
     std::lower_bound(cycles.begin(), cycles.end(), cycle) - cycles.begin());
 }
-
-/// The cycles of all cells, and what they are made of.
-struct CycleGeometry
-{
-  const SpatialGrid& Grid;
-  const NodeGraph& Graph;
-  const GridCrossings& Crossings;
-  const NodePoints& Nodes;
-  const CellCycles& Cycles;
-
-  const HalfArc& FirstArc(Index cycle) const
-  {
-    return this->Cycles.Arcs[this->Cycles.Offsets[cycle]];
-  }
-  bool IsLoop(Index cycle) const { return this->Graph.IsLoop(this->FirstArc(cycle).Arc); }
-  /// The loop of a cycle that has no node points.
-  Index LoopOf(Index cycle) const { return this->FirstArc(cycle).Arc - this->Graph.Arcs; }
-  /// The node at which the cycle starts, or the number of its loop after all nodes.
-  Index PartOf(Index cycle) const
-  {
-    return this->IsLoop(cycle) ? this->Graph.Nodes + this->LoopOf(cycle)
-                               : StartNode(this->Crossings, this->Nodes, this->FirstArc(cycle));
-  }
-  /// See orthoslices::GetBoundary.
-  void GetBoundary(Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces) const
-  {
-    orthoslices::GetBoundary(
-      this->Graph, this->Crossings, this->Nodes, this->Cycles, cycle, points, nodePlaces);
-  }
-  /// The borders of several cycles, one after another.
-  std::vector<Index> GetBorders(const std::vector<Index>& cycles) const;
-};
 
 /// Euler characteristic of a patch.
 Index EulerCharacteristic(const PatchMesh& mesh);

@@ -3,7 +3,10 @@
 #ifndef OrthoSlicesSeparatePatches_h
 #define OrthoSlicesSeparatePatches_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Cells/ChooseJoins.h"
+
+#include <vector>
 
 namespace orthoslices
 {

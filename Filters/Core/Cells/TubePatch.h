@@ -6,6 +6,7 @@
 #include "Core/Cells/PatchMesh.h"
 
 #include <limits>
+#include <vector>
 
 namespace orthoslices
 {

@@ -5,6 +5,8 @@
 
 #include "Core/Cells/ChooseJoins.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /// What the slices leave open. The numbers are part of the output.

@@ -5,6 +5,8 @@
 
 #include "Core/Correspondence/ContourStack.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /**

@@ -5,6 +5,8 @@
 
 #include "Core/Correspondence/ContourStack.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /// Bounding box of a contour, in the plane of its slice.

@@ -6,6 +6,8 @@
 #include "Core/Base/Predicates.h"
 #include "Core/Base/Types.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /**

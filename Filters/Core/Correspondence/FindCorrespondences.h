@@ -7,6 +7,7 @@
 #include "Core/Correspondence/PriorKnowledge.h"
 
 #include <tuple>
+#include <vector>
 
 namespace orthoslices
 {

@@ -5,6 +5,8 @@
 
 #include "Core/Correspondence/FindCorrespondences.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /**

@@ -3,7 +3,10 @@
 #ifndef OrthoSlicesMeasureAgreement_h
 #define OrthoSlicesMeasureAgreement_h
 
+#include "Core/Base/Contours.h"
 #include "Core/Crossings/PairNodePoints.h"
+
+#include <vector>
 
 namespace orthoslices
 {

@@ -7,6 +7,7 @@
 #include "Core/Crossings/Repair.h"
 
 #include <cmath>
+#include <vector>
 
 namespace orthoslices
 {

@@ -6,6 +6,8 @@
 #include "Core/Crossings/RegisterCrossings.h"
 #include "Core/Crossings/Repair.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /// How much the slices contradicted each other.

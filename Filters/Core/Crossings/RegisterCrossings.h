@@ -3,8 +3,11 @@
 #ifndef OrthoSlicesRegisterCrossings_h
 #define OrthoSlicesRegisterCrossings_h
 
-#include "Core/Base/Types.h"
+#include "Core/Base/Contours.h"
+#include "Core/Base/Execution.h"
 #include "Core/Slices/SpatialGrid.h"
+
+#include <vector>
 
 namespace orthoslices
 {

@@ -6,6 +6,7 @@
 #include "Core/Base/Types.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace orthoslices
 {

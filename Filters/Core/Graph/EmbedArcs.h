@@ -3,7 +3,10 @@
 #ifndef OrthoSlicesEmbedArcs_h
 #define OrthoSlicesEmbedArcs_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Graph/NodeGraph.h"
+
+#include <vector>
 
 namespace orthoslices
 {

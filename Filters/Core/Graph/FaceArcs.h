@@ -3,8 +3,11 @@
 #ifndef OrthoSlicesFaceArcs_h
 #define OrthoSlicesFaceArcs_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Base/Predicates.h"
 #include "Core/Graph/NodeGraph.h"
+
+#include <vector>
 
 namespace orthoslices
 {

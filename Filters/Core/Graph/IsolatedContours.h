@@ -3,7 +3,11 @@
 #ifndef OrthoSlicesIsolatedContours_h
 #define OrthoSlicesIsolatedContours_h
 
+#include "Core/Base/Contours.h"
+#include "Core/Base/Execution.h"
 #include "Core/Graph/NodeGraph.h"
+
+#include <vector>
 
 namespace orthoslices
 {

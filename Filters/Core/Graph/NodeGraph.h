@@ -3,8 +3,12 @@
 #ifndef OrthoSlicesNodeGraph_h
 #define OrthoSlicesNodeGraph_h
 
+#include "Core/Base/Contours.h"
 #include "Core/Base/DisjointSets.h"
+#include "Core/Base/Execution.h"
 #include "Core/Crossings/PairNodePoints.h"
+
+#include <vector>
 
 namespace orthoslices
 {

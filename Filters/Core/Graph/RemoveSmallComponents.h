@@ -5,6 +5,8 @@
 
 #include "Core/Graph/IsolatedContours.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /**

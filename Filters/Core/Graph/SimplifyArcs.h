@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesSimplifyArcs_h
 #define OrthoSlicesSimplifyArcs_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Graph/NodeGraph.h"
 
 namespace orthoslices

@@ -3,7 +3,10 @@
 #ifndef OrthoSlicesTraceCycles_h
 #define OrthoSlicesTraceCycles_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Graph/NodeGraph.h"
+
+#include <vector>
 
 namespace orthoslices
 {

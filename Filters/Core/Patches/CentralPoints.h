@@ -3,7 +3,11 @@
 #ifndef OrthoSlicesCentralPoints_h
 #define OrthoSlicesCentralPoints_h
 
+#include "Core/Base/Contours.h"
+#include "Core/Base/Execution.h"
 #include "Core/Cells/PatchMesh.h"
+
+#include <vector>
 
 namespace orthoslices
 {

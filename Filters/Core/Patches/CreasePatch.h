@@ -5,6 +5,8 @@
 
 #include "Core/Patches/PatchBorder.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /**

@@ -3,7 +3,10 @@
 #ifndef OrthoSlicesEstimateNormals_h
 #define OrthoSlicesEstimateNormals_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Cells/PatchMesh.h"
+
+#include <vector>
 
 namespace orthoslices
 {

@@ -3,7 +3,10 @@
 #ifndef OrthoSlicesInnerPatches_h
 #define OrthoSlicesInnerPatches_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Patches/SmoothPatch.h"
+
+#include <vector>
 
 namespace orthoslices
 {

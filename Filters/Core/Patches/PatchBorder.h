@@ -8,6 +8,8 @@
 #include "Core/Cells/PatchMesh.h"
 #include "Core/Patches/EstimateNormals.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /// The border of a patch of one cycle, with the surface's normals: what patches are made of.

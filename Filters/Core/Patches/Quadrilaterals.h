@@ -5,6 +5,8 @@
 
 #include "Core/Base/Types.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /**

@@ -5,6 +5,8 @@
 
 #include "Core/Base/Predicates.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /// Whether no two sides of a polygon have a point in common but their common end. Exact.

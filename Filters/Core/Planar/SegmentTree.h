@@ -3,7 +3,10 @@
 #ifndef OrthoSlicesSegmentTree_h
 #define OrthoSlicesSegmentTree_h
 
-#include "Core/Base/Types.h"
+#include "Core/Base/Contours.h"
+
+#include <functional>
+#include <vector>
 
 namespace orthoslices
 {

@@ -5,6 +5,8 @@
 
 #include "Core/Base/Predicates.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /**

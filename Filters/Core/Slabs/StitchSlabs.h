@@ -3,8 +3,11 @@
 #ifndef OrthoSlicesStitchSlabs_h
 #define OrthoSlicesStitchSlabs_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Cells/PatchMesh.h"
 #include "Core/Correspondence/FindCorrespondences.h"
+
+#include <vector>
 
 namespace orthoslices
 {

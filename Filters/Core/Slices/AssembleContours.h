@@ -3,7 +3,9 @@
 #ifndef OrthoSlicesAssembleContours_h
 #define OrthoSlicesAssembleContours_h
 
-#include "Core/Base/Types.h"
+#include "Core/Base/Contours.h"
+
+#include <vector>
 
 namespace orthoslices
 {

@@ -3,7 +3,10 @@
 #ifndef OrthoSlicesOrientContours_h
 #define OrthoSlicesOrientContours_h
 
-#include "Core/Base/Types.h"
+#include "Core/Base/Contours.h"
+#include "Core/Base/Execution.h"
+
+#include <vector>
 
 namespace orthoslices
 {

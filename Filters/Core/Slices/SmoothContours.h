@@ -3,6 +3,8 @@
 #ifndef OrthoSlicesSmoothContours_h
 #define OrthoSlicesSmoothContours_h
 
+#include "Core/Base/Contours.h"
+#include "Core/Base/Execution.h"
 #include "Core/Slices/SpatialGrid.h"
 
 namespace orthoslices

@@ -3,9 +3,10 @@
 #ifndef OrthoSlicesSpatialGrid_h
 #define OrthoSlicesSpatialGrid_h
 
-#include "Core/Base/Types.h"
+#include "Core/Base/Contours.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace orthoslices
 {

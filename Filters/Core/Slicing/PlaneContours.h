@@ -5,6 +5,8 @@
 
 #include "Core/Base/Types.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /// Floating-point type in which coordinates are stored in the end.

@@ -5,6 +5,8 @@
 
 #include "Core/Slicing/PlaneContours.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /// The samples of one plane of an image: sample (i, j) is Values[i + j * SizeU].

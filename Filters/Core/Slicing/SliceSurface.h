@@ -3,7 +3,10 @@
 #ifndef OrthoSlicesSliceSurface_h
 #define OrthoSlicesSliceSurface_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Slicing/PlaneContours.h"
+
+#include <vector>
 
 /**
  * Contours of a closed triangle surface on the planes of one axis, as input for the

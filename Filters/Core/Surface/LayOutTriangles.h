@@ -3,7 +3,10 @@
 #ifndef OrthoSlicesLayOutTriangles_h
 #define OrthoSlicesLayOutTriangles_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Patches/InnerPatches.h"
+
+#include <vector>
 
 namespace orthoslices
 {

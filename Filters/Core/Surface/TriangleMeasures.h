@@ -3,7 +3,10 @@
 #ifndef OrthoSlicesTriangleMeasures_h
 #define OrthoSlicesTriangleMeasures_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Base/Types.h"
+
+#include <vector>
 
 namespace orthoslices
 {
