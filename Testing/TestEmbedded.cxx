@@ -18,6 +18,7 @@
 #include "Support/Perturbations.h"
 #include "Support/Random.h"
 #include "Support/ReduceInput.h"
+#include "Support/Stages.h"
 
 #include <gtest/gtest.h>
 

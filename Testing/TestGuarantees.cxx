@@ -15,6 +15,7 @@
 #include "Support/Perturbations.h"
 #include "Support/RandomInput.h"
 #include "Support/SliceSolid.h"
+#include "Support/Stages.h"
 #include "Support/SurfaceMetrics.h"
 #include "Support/Threads.h"
 
