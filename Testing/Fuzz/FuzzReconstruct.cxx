@@ -16,6 +16,7 @@
 
 #include "Support/CheckEmbedding.h"
 #include "Support/Random.h"
+#include "Support/ReconstructionMesh.h"
 #include "Support/ReduceInput.h"
 
 #include <algorithm>
