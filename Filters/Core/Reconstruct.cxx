@@ -4,6 +4,7 @@
 
 #include "Core/Base/Box.h"
 #include "Core/Cells/SeparatePatches.h"
+#include "Core/Crossings/NodeNormals.h"
 #include "Core/Graph/RemoveSmallComponents.h"
 #include "Core/Graph/SimplifyArcs.h"
 #include "Core/Patches/Domes.h"

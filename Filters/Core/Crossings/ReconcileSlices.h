@@ -39,15 +39,6 @@ struct Reconciliation
 Reconciliation ReconcileSlices(const SpatialGrid& grid, GridCrossings& crossings,
   EdgeRegister& edges, std::vector<IsolatedLoop>& isolated,
   const AxisWeights& weights = { 1.0, 1.0, 1.0 }, int background = 0);
-
-/**
- * Matches two ascending lists of positions whose signs alternate from the same first sign.
- * `matched` gets pairs of indices; the unmatched entries of each list form adjacent pairs.
- * Minimises the distances of matched entries plus the lengths between the two entries of unmatched
- * pairs.
- */
-void MatchAlternating(const std::vector<double>& first, const std::vector<double>& second,
-  std::vector<std::pair<Index, Index>>& matched);
 }
 
 #endif

@@ -3,7 +3,7 @@
 #include "Core/Patches/EstimateNormals.h"
 
 #include "Core/Base/Vectors.h"
-#include "Core/Patches/CentralPoints.h"
+#include "Core/Crossings/NodeNormals.h"
 #include "Core/Patches/SlopeOverSlice.h"
 #include "Core/Slices/ContourCurve.h"
 

@@ -6,6 +6,7 @@
 #include "Core/Patches/CreasePatch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace orthoslices
 {

@@ -4,6 +4,7 @@
 #define OrthoSlicesInnerPatches_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Cells/PatchMesh.h"
 #include "Core/Patches/SmoothPatch.h"
 
 #include <vector>
