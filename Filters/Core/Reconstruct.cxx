@@ -272,14 +272,15 @@ void MakePatches(const Options& options, std::vector<double>& normals, const Exe
 void FillPolygons(const Options& options, const Execution& execution, Reconstruction& result)
 {
   const CycleGeometry geometry = GeometryOf(result);
-  if (options.Patching.Method != PatchMethod::Fan)
+  if (NeedsNormals(options.Patching.Method))
   {
     result.Normals = EstimateNormals(geometry, options.Patching.CornerAngle,
       TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), execution);
   }
-  result.Surface.Inner = BuildInnerPatches(geometry, result.Cells, result.Normals,
-    result.Surface.CentralPoints, result.Surface.Meshes, options.Patching, execution);
-  if (options.Patching.Method != PatchMethod::Smooth)
+  result.Surface.Inner = BuildInnerPatches(
+    { geometry, result.Cells, result.Normals, result.Surface.CentralPoints, result.Surface.Meshes },
+    options.Patching, execution);
+  if (!GivesNormals(options.Patching.Method))
   {
     result.Normals = {}; // those of the triangles say more
   }
