@@ -338,7 +338,7 @@ Reconstruction Reconstruct(
     return result;
   }
   result.Reconciled = ReconcileSlices(
-    result.Grid, result.Crossings, edges, isolated, options.Weights, result.InsideOut ? 1 : 0);
+    { result.Grid, result.Crossings, edges, isolated }, options.Weights, result.InsideOut ? 1 : 0);
   result.Repairs.swap(result.Reconciled.Repairs);
   result.Nodes = PairNodePoints(result.Grid, result.Crossings, edges, options.Weights);
   edges = EdgeRegister();

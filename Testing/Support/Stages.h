@@ -68,7 +68,8 @@ private:
     this->Registered = RegisterCrossings(this->Set, this->Grid, execution, this->Isolated);
     this->Crossings = this->Registered;
     this->Edges = FileOnEdges(this->Crossings);
-    this->Reconciled = ReconcileSlices(this->Grid, this->Crossings, this->Edges, this->Isolated);
+    this->Reconciled =
+      ReconcileSlices({ this->Grid, this->Crossings, this->Edges, this->Isolated });
     this->Nodes = PairNodePoints(this->Grid, this->Crossings, this->Edges);
     this->Graph =
       BuildNodeGraph(this->Set, this->Grid, this->Crossings, this->Nodes, Tolerance, execution);
