@@ -3,6 +3,7 @@
 #include "Core/Reconstruct.h"
 
 #include "Core/Base/Box.h"
+#include "Core/CheckInvariants.h"
 #include "Core/Crossings/NodeNormals.h"
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/SimplifyArcs.h"
@@ -13,6 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
 
 namespace orthoslices
 {
@@ -115,6 +119,14 @@ private:
 
 void StageRunner::Finish(Stage stage) const
 {
+#ifdef ORTHOGONAL_SLICES_CHECK_INVARIANTS
+  const std::string wrong = CheckInvariants(stage, this->Tables, this->Result);
+  if (!wrong.empty())
+  {
+    std::cerr << wrong << std::endl;
+    std::abort();
+  }
+#endif
   if (this->Observe)
   {
     this->Observe(stage, this->Tables, this->Result);
