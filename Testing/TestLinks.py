@@ -1,155 +1,231 @@
+#!/usr/bin/env python3
 # SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""python3 TestLinks.py [repository]
+"""Pages and comments name what is there: links, files, programs and identifiers.
 
-Fails if a page of the repository (*.md) names something that is not there:
+TestLinks.py ROOT          checks the repository in ROOT, prints what is wrong, ends with 1 if anything
+TestLinks.py --self-test   checks pages made up for the purpose, right and wrong ones
 
-  * a relative link to a file or folder that does not exist, or to a heading that its page has not;
-  * a file named in `code` or in a block of commands: a path, a file of some room (Graph/EmbedArcs
-    stands for header and source), or a program of a build folder (build/vtk/bin/NAME needs a
-    NAME.cxx).
+Wrong are, in all *.md,
+  * a relative link to a file or folder that there is not, or to a heading that its page has not;
+  * in `code` and in blocks of commands, a path or a file that there is not (Graph/EmbedArcs, a name
+    in a room, stands for header and source), and a program of a build folder (build/vtk/bin/NAME)
+    without a source of its name;
+  * in `code`, a name LikeThis or ORTHOGONAL_LIKE_THIS that no source has;
+and in sources of C++, shell, CMake and XML a path of the project (Core/Graph/NodeGraph.h) that there
+is not.
 
-Names with placeholders (*, <>, {}, %, $) and what commands write (build/...) are left alone.
+Names with placeholders (*, <>, {}, %, $), hidden files and what commands write are left alone.
 """
 
 import os
+import pathlib
 import re
 import sys
+import tempfile
+import unittest
 
-EXTENSIONS = ("h", "cxx", "txx", "md", "py", "sh", "xml", "json", "cff", "vtp", "png", "txt", "plugin",
-              "module")
-# Where a name may start, besides the folder of its page.
-ROOTS = ("", "Filters", "Filters/Core", "Testing", "Testing/Core", "Plugin", "Data")
+SOURCES = {".h", ".cxx", ".txx", ".py", ".sh", ".xml", ".txt", ".json", ".plugin", ".module"}
+EXTENSIONS = SOURCES | {".md", ".cff", ".vtp", ".png"}
+# Folders in which names may start, besides that of the page.
+STARTS = ("", "Filters", "Filters/Core", "Testing", "Testing/Core", "Plugin")
 LEFT_OUT = {".git", "build"}
 
-LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
-CODE = re.compile(r"(?<!`)`([^`\n]+)`(?!`)")
+LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
+CODE = re.compile(r"`([^`\n]+)`")
 PLACEHOLDER = re.compile(r"[*<>{}%$]|\.\.\.")
-PROGRAM = re.compile(r"^build/[^/]+/bin/(\w+)$")
-
-
-def list_files(top):
-    files = []
-    for folder, folders, names in os.walk(top):
-        folders[:] = sorted(name for name in folders if name not in LEFT_OUT)
-        files += [os.path.relpath(os.path.join(folder, name), top) for name in names]
-    return sorted(files)
+PROGRAM = re.compile(r"build/[^/]+/bin/(\w+)$")
+# A path of the project in a comment, and the sources in which it is looked for.
+MENTION = re.compile(
+    r"(?<![\w/.}>-])(?:Core|Bridge|Filters|Testing|Plugin|Support)/[\w/]+\.(?:h|cxx|txx|md|py|sh)\b")
+MENTIONING = {".h", ".cxx", ".txx", ".xml", ".sh", ".txt"}
+IDENTIFIER = re.compile(r"(?:vtk)?(?:[A-Z][a-z0-9]+){2,}(?:::\w+)*$|ORTHOGONAL_\w+$")
 
 
 def split_blocks(text):
-    """The text without blocks of code, line by line, and the lines of those blocks."""
-    prose, blocks, fence = [], [], None
-    for line in text.splitlines():
+    """Numbered lines outside of blocks of code, and those inside of blocks of commands."""
+    prose, commands, language = [], [], None
+    for number, line in enumerate(text.splitlines(), 1):
         if line.lstrip().startswith("```"):
-            fence = None if fence is not None else line.strip("` ")
-            prose.append("")
-        elif fence is None:
-            prose.append(line)
-        else:
-            blocks.append((fence, line))
-            prose.append("")
-    return prose, blocks
+            language = line.strip("` ") or "text" if language is None else None
+        elif language is None:
+            prose.append((number, line))
+        elif language in ("sh", "bash"):
+            commands.append((number, line.partition("#")[0]))
+    return prose, commands
 
 
 def anchors(text):
-    """The anchors that GitHub gives to the headings of a page."""
-    found, counts = set(), {}
-    for line in split_blocks(text)[0]:
-        match = re.match(r"#{1,6}\s+(.*?)\s*#*$", line)
-        if match:
-            title = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", match[1])
-            slug = re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-")
-            number = counts.get(slug, 0)
-            counts[slug] = number + 1
-            found.add(f"{slug}-{number}" if number else slug)
+    """What a link may name in a page: the headings as GitHub writes them."""
+    found = set()
+    for _, line in split_blocks(text)[0]:
+        heading = re.match(r"#{1,6}\s+(.*?)\s*$", line)
+        if heading:
+            title = LINK.sub(lambda link: link[0][1:link[0].index("]")], heading[1])
+            found.add(re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-"))
     return found
 
 
 class Checker:
-    def __init__(self, top):
-        self.top = top
-        self.files = list_files(top)
+    """Reads a repository and lists what its pages name wrongly."""
+
+    def __init__(self, root):
+        self.root = pathlib.Path(root)
+        self.files = set()
+        for folder, folders, names in os.walk(self.root):
+            folders[:] = [name for name in folders if name not in LEFT_OUT]
+            self.files.update((pathlib.Path(folder) / name).relative_to(self.root).as_posix()
+                              for name in names)
         self.stems = {os.path.splitext(name)[0] for name in self.files}
-        self.names = {os.path.basename(name) for name in self.files}
-        self.problems = []
+        self.names = {name.rpartition("/")[2] for name in self.files}
+        self.words = {stem.rpartition("/")[2] for stem in self.stems}
+        for name in self.files:
+            if os.path.splitext(name)[1] in SOURCES:
+                self.words.update(re.findall(r"\w+", self.read(name)))
 
     def read(self, name):
-        with open(os.path.join(self.top, name), encoding="utf-8") as file:
-            return file.read()
+        return (self.root / name).read_text(encoding="utf-8", errors="replace")
 
-    def exists(self, path):
-        return os.path.exists(os.path.join(self.top, path))
+    def complaints(self):
+        return self.complaints_of_pages() + self.complaints_of_sources()
 
-    def check_link(self, page, target):
+    def complaints_of_sources(self):
+        found = []
+        for source in sorted(self.files):
+            if os.path.splitext(source)[1] not in MENTIONING:
+                continue
+            for number, line in enumerate(self.read(source).splitlines(), 1):
+                found += [f"{source}:{number}: there is no {path}" for path in MENTION.findall(line)
+                          if not any(f"{start}/{path}".lstrip("/") in self.files for start in STARTS)]
+        return found
+
+    def complaints_of_pages(self):
+        found = []
+        for page in sorted(name for name in self.files if name.endswith(".md")):
+            prose, commands = split_blocks(self.read(page))
+            written = set()
+            for number, line in prose:
+                found += [f"{page}:{number}: broken link {target}" for target in LINK.findall(line)
+                          if not self.leads_somewhere(page, target)]
+                for code in CODE.findall(line):
+                    found += [f"{page}:{number}: there is no {word}" for word in code.split()
+                              if not (self.is_known(code, word) and self.is_there(page, word))]
+            for number, line in commands:
+                written.update(re.findall(r">\s*(\S+)", line))
+                found += [f"{page}:{number}: there is no {word}" for word in line.split()
+                          if word not in written and not self.is_there(page, word)]
+        return found
+
+    def leads_somewhere(self, page, target):
         if re.match(r"[a-z]+:", target):
             return True
         path, _, anchor = target.partition("#")
         path = os.path.normpath(os.path.join(os.path.dirname(page), path)) if path else page
-        if not self.exists(path):
+        if not (self.root / path).exists():
             return False
-        if not anchor:
-            return True
-        return path.endswith(".md") and anchor in anchors(self.read(path))
+        return not anchor or path.endswith(".md") and anchor in anchors(self.read(path))
 
-    def is_named(self, page, name):
-        """Whether there is what a word of code names, or it names no file."""
-        name = name.rstrip("/.,;:")
-        if PLACEHOLDER.search(name) or name.startswith(("-", "/", "~")):
+    def is_known(self, code, word):
+        """Whether the sources have an identifier; of code of several words, each may be anything."""
+        if code != word or not IDENTIFIER.match(word):
+            return True
+        return all(part in self.words for part in word.split("::"))
+
+    def is_there(self, page, word):
+        """Whether there is the file that a word names, if it names one."""
+        name = word.strip("\"'`()[],=;:").rstrip("/.")
+        if PLACEHOLDER.search(name) or name.startswith((".", "-", "/", "~")):
             return True
         program = PROGRAM.match(name)
         if program:
-            return program[1] + ".cxx" in self.names
-        if name.startswith(("build/", "http:", "https:")):
+            return f"{program[1]}.cxx" in self.names
+        if name.startswith("build/") or ":" in name:
             return True
-        has_extension = name.rpartition(".")[2] in EXTENSIONS and "." in name
+        extension = os.path.splitext(name)[1]
         if "/" not in name:
-            return not has_extension or name in self.names
-        known_folder = name.split("/")[0] in self.folders(page)
-        if not has_extension and not known_folder:
+            return extension not in EXTENSIONS or name in self.names
+        starts = [os.path.dirname(page), *STARTS]
+        if extension not in EXTENSIONS and (extension or not self.is_folder(starts, name)):
             return True  # a fraction, a choice, a path elsewhere
-        starts = (os.path.dirname(page),) + ROOTS
         paths = [os.path.normpath(os.path.join(start, name)) for start in starts]
-        return any(self.exists(path) or path in self.stems for path in paths)
+        return any((self.root / path).exists() or path in self.stems for path in paths)
 
-    def folders(self, page):
-        found = set()
-        for start in (os.path.dirname(page),) + ROOTS:
-            folder = os.path.join(self.top, start)
-            if os.path.isdir(folder):
-                found.update(entry.name for entry in os.scandir(folder) if entry.is_dir())
-        return found - LEFT_OUT
+    def is_folder(self, starts, name):
+        """Whether a name begins with a folder of the repository."""
+        first = name.partition("/")[0]
+        return any((self.root / start / first).is_dir() for start in starts)
 
-    def check_page(self, page):
-        prose, blocks = split_blocks(self.read(page))
-        for number, line in enumerate(prose, 1):
-            for target in LINK.findall(CODE.sub("", line)) + [
-                    match for match in LINK.findall(line)]:
-                if not self.check_link(page, target):
-                    self.problems.append(f"{page}:{number}: broken link {target}")
-            for span in CODE.findall(line):
-                self.check_words(page, number, span)
-        for language, line in blocks:
-            if language in ("sh", "bash"):
-                self.check_words(page, "commands", line.partition("#")[0])
 
-    def check_words(self, page, number, text):
-        # Arguments after a program of a build folder may be files that it writes.
-        after_output = False
-        for word in text.split():
-            if not after_output and not self.is_named(page, word.strip("\"'`()[],=;")):
-                self.problems.append(f"{page}:{number}: there is no {word}")
-            after_output = word in (">", "--csv", "--picture", "--surfaces", "--output")
+class SelfTest(unittest.TestCase):
+    """What is wrong in made-up pages is found, and what is right is not complained of."""
 
-    def run(self):
-        pages = [name for name in self.files if name.endswith(".md")]
-        for page in pages:
-            self.check_page(page)
-        for problem in sorted(set(self.problems)):
-            print(problem)
-        print(f"{len(pages)} pages, {len(set(self.problems))} names of what is not there")
-        return 1 if self.problems else 0
+    FILES = {
+        "README.md": "# Title\n## Two words, one `code`\n",
+        "Filters/Core/README.md": "# Method\n",
+        "Filters/Core/Graph/EmbedArcs.h": "void EmbedArcs(); // ORTHOGONAL_CHECK\n",
+        "Testing/Compare.cxx": "int main() { return SmoothAll::Two; }\n",
+    }
+    RIGHT = (
+        "[a](../../README.md) [b](../../README.md#two-words-one-code) [c](#method) [d](Graph)",
+        "[e](https://example.org/none) ![f](../../README.md)",
+        "`Graph/EmbedArcs` `Core/Graph/EmbedArcs.h` `EmbedArcs.h` `EmbedArcs` `Testing/Compare.cxx`",
+        "`SmoothAll::Two` `ORTHOGONAL_CHECK` `build/vtk/bin/Compare` `build/vtk` `Test*.cxx` `1/2`",
+        "`.hidden` `any/thing` `d38bd26/seg.nrrd` `-DNAME=Value`",
+        "```sh\nbash Testing/Compare.cxx > a.txt # none.txt\ndiff a.txt\n```",
+        "```cpp\nNone::Such none.h\n```",
+    )
+    WRONG = (
+        ("[a](none.md)", "broken link none.md"),
+        ("[a](../../README.md#none)", "broken link ../../README.md#none"),
+        ("[a](#none)", "broken link #none"),
+        ("`Graph/NodeGraph`", "there is no Graph/NodeGraph"),
+        ("`NodeGraph.h`", "there is no NodeGraph.h"),
+        ("`SmoothAll::Three`", "there is no SmoothAll::Three"),
+        ("`NoSuchName`", "there is no NoSuchName"),
+        ("`ORTHOGONAL_NONE`", "there is no ORTHOGONAL_NONE"),
+        ("`build/vtk/bin/None --all`", "there is no build/vtk/bin/None"),
+        ("```sh\nbash Testing/none.sh\n```", "there is no Testing/none.sh"),
+    )
+
+    def complaints_with(self, text, files=None):
+        """Complaints if one of the pages also has this text, and there are these files, too."""
+        with tempfile.TemporaryDirectory() as root:
+            for name, content in {**self.FILES, **(files or {})}.items():
+                path = pathlib.Path(root) / name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(content, encoding="utf-8")
+            page = pathlib.Path(root) / "Filters/Core/README.md"
+            page.write_text(page.read_text(encoding="utf-8") + text + "\n", encoding="utf-8")
+            return Checker(root).complaints()
+
+    def test_what_is_right(self):
+        for text in self.RIGHT:
+            self.assertEqual(self.complaints_with(text), [], text)
+
+    def test_what_is_wrong(self):
+        for text, complaint in self.WRONG:
+            found = self.complaints_with(text)
+            self.assertEqual(len(found), 1, text)
+            self.assertTrue(found[0].endswith(complaint), found[0])
+
+    def test_what_sources_mention(self):
+        name = "Filters/Core/Reconstruct.h"
+        self.assertEqual(self.complaints_with("", {name: "// See Core/Graph/EmbedArcs.h.\n"}), [])
+        self.assertEqual(self.complaints_with("", {name: "// See Core/EmbedArcs.h.\n"}),
+            [f"{name}:1: there is no Core/EmbedArcs.h"])
+
+
+def main(arguments):
+    if arguments == ["--self-test"]:
+        return unittest.main(argv=["TestLinks.py"], exit=False).result.wasSuccessful()
+    if len(arguments) != 1:
+        sys.exit(__doc__)
+    found = Checker(arguments[0]).complaints()
+    for complaint in found:
+        print(complaint)
+    print(f"{len(found)} complaints")
+    return not found
 
 
 if __name__ == "__main__":
-    here = os.path.dirname(os.path.abspath(__file__))
-    sys.exit(Checker(sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(here)).run())
+    sys.exit(0 if main(sys.argv[1:]) else 1)
