@@ -285,7 +285,7 @@ void ExpectSame(const Reconstruction& a, const Reconstruction& b)
   EXPECT_EQ(a.Isolated.Points, b.Isolated.Points);
   EXPECT_EQ(a.Cycles.Cell, b.Cycles.Cell);
   EXPECT_EQ(a.Invalid.size(), b.Invalid.size());
-  EXPECT_EQ(a.Crossing.size(), b.Crossing.size());
+  EXPECT_EQ(a.CrossingProblems.size(), b.CrossingProblems.size());
   EXPECT_EQ(MeshOf(a).Triangles, MeshOf(b).Triangles);
 }
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Graph/EmbedIsolated.h"
 #include "Core/Graph/IsolatedContours.h"
 
 #include "Support/CheckEmbedding.h"
