@@ -3,6 +3,7 @@
 #include "Core/Reconstruct.h"
 
 #include "Core/Base/Box.h"
+#include "Core/Crossings/NodeNormals.h"
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/SimplifyArcs.h"
 #include "Core/PatchAllCells.h"
@@ -194,8 +195,9 @@ bool StageRunner::MakeSlicesAgree()
   {
     return false;
   }
-  result.Reconciled = ReconcileSlices(result.Grid, result.Crossings, tables.Edges,
-    tables.IsolatedParts, this->Settings.Weights, result.InsideOut ? 1 : 0);
+  result.Reconciled =
+    ReconcileSlices({ result.Grid, result.Crossings, tables.Edges, tables.IsolatedParts },
+      this->Settings.Weights, result.InsideOut ? 1 : 0);
   result.Repairs.swap(result.Reconciled.Repairs);
   this->Finish(Stage::ReconcileSlices);
   result.Nodes =
@@ -249,15 +251,16 @@ bool StageRunner::FillCycles()
   const PatchOptions& patching = this->Settings.Patching;
   Reconstruction& result = this->Result;
   const CycleGeometry geometry = GeometryOf(result);
-  if (patching.Method != PatchMethod::Fan)
+  if (NeedsNormals(patching.Method))
   {
     result.Normals = EstimateNormals(geometry, patching.CornerAngle,
       TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), this->Execute);
   }
   this->Finish(Stage::EstimateNormals);
-  result.Surface.Inner = BuildInnerPatches(geometry, result.Cells, result.Normals,
-    result.Surface.CentralPoints, result.Surface.Meshes, patching, this->Execute);
-  if (patching.Method != PatchMethod::Smooth)
+  result.Surface.Inner = BuildInnerPatches(
+    { geometry, result.Cells, result.Normals, result.Surface.CentralPoints, result.Surface.Meshes },
+    patching, this->Execute);
+  if (!GivesNormals(patching.Method))
   {
     result.Normals = {}; // those of the triangles say more
   }
