@@ -11,17 +11,18 @@
 
 #include "Support/CheckEmbedding.h"
 #include "Support/CheckSurface.h"
-#include "Support/ReconstructionMesh.h"
-#include "Support/SelfIntersections.h"
-#include "Support/Vtk/CountTopology.h"
-#include "Support/Vtk/DataSets.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/RandomInput.h"
+#include "Support/ReconstructionMesh.h"
+#include "Support/SelfIntersections.h"
 #include "Support/SliceSolid.h"
+#include "Support/Stages.h"
+#include "Support/Threads.h"
+#include "Support/Vtk/CountTopology.h"
+#include "Support/Vtk/DataSets.h"
 #include "Support/Vtk/PolyDataMesh.h"
 #include "Support/Vtk/SurfaceMetrics.h"
-#include "Support/Threads.h"
 
 #include "vtkPolyData.h"
 
@@ -290,7 +291,7 @@ void ExpectSame(const Reconstruction& a, const Reconstruction& b)
   EXPECT_EQ(a.Isolated.Points, b.Isolated.Points);
   EXPECT_EQ(a.Cycles.Cell, b.Cycles.Cell);
   EXPECT_EQ(a.Invalid.size(), b.Invalid.size());
-  EXPECT_EQ(a.Crossing.size(), b.Crossing.size());
+  EXPECT_EQ(a.CrossingProblems.size(), b.CrossingProblems.size());
   EXPECT_EQ(MeshOf(a).Triangles, MeshOf(b).Triangles);
 }
 }

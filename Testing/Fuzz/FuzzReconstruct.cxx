@@ -18,6 +18,7 @@
 #include "Support/Random.h"
 #include "Support/ReconstructionMesh.h"
 #include "Support/ReduceInput.h"
+#include "Support/Stages.h"
 
 #include <algorithm>
 #include <cctype>

@@ -279,38 +279,6 @@ std::vector<Point3> FindMissingVertices(
   return missing;
 }
 
-Contours UsableContours(const PieceSets& pieces, const Options& options, SpatialGrid& grid)
-{
-  Point3 low{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
-  Point3 high{ -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
-  const auto extend = [&](int axis, const std::vector<double>& values)
-  {
-    for (const double x : values)
-    {
-      low[axis] = std::min(low[axis], x);
-      high[axis] = std::max(high[axis], x);
-    }
-  };
-  for (const Pieces& set : pieces)
-  {
-    extend(FirstAxis(set.Axis), set.U);
-    extend(SecondAxis(set.Axis), set.V);
-    extend(set.Axis, set.W);
-  }
-  const double tolerance = options.PlaneTolerance * Norm(Minus(high, low));
-  Contours contours;
-  std::vector<Problem> problems;
-  for (Pieces set : pieces)
-  {
-    AssembleContours(std::move(set), tolerance, contours, problems);
-  }
-  grid = BuildSpatialGrid(contours, tolerance, options.SinglePrecision);
-  OrientContours(
-    options.Orient, options.Crossing == CrossingContours::Repair, Execution(), contours, problems);
-  grid = BuildSpatialGrid(contours, tolerance, options.SinglePrecision);
-  return contours;
-}
-
 namespace
 {
 /// How often the contours of one slice wind around a point of it.

@@ -61,12 +61,6 @@ double WindingNumber(const TriangleMesh& mesh, const Point3& point);
 std::vector<Point3> FindMissingVertices(
   const Contours& contours, const TriangleMesh& mesh, double tolerance);
 
-/**
- * The contours that take part in the reconstruction, oriented and with their planes numbered:
- * the first three stages alone.
- */
-Contours UsableContours(const PieceSets& pieces, const Options& options, SpatialGrid& grid);
-
 /// What the surface says about vertices of the grid, against what the contours say.
 struct SideCheck
 {
