@@ -9,6 +9,7 @@
 #include "Support/CheckPatch.h"
 #include "Support/Random.h"
 #include "Support/RandomInput.h"
+#include "Support/ReconstructionMesh.h"
 #include "Support/Stages.h"
 
 #include <gtest/gtest.h>
