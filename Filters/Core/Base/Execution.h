@@ -3,7 +3,6 @@
 #ifndef OrthoSlicesExecution_h
 #define OrthoSlicesExecution_h
 
-
 #include <cstddef>
 #include <functional>
 
