@@ -228,6 +228,16 @@ int vtkOrthogonalSliceReconstruction::FillOutputPortInformation(int port, vtkInf
   return 1;
 }
 
+void vtkOrthogonalSliceReconstruction::SetFamilyConnection(int family, vtkAlgorithmOutput* output)
+{
+  if (family < 1 || family > 3)
+  {
+    vtkErrorMacro("Family " << family << " must be 1 (x-slices), 2 (y-slices) or 3 (z-slices).");
+    return;
+  }
+  this->SetInputConnection(family - 1, output);
+}
+
 vtkPolyData* vtkOrthogonalSliceReconstruction::GetGraphOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));

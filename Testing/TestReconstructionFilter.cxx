@@ -38,6 +38,7 @@
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
 #include "vtkTable.h"
+#include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedShortArray.h"
 
@@ -331,6 +332,30 @@ TEST(ReconstructionFilter, OutputsAreEmptiedByAnErrorAndFilledAgain)
   run.SetInputs(ParsePieces(Cube()));
   EXPECT_EQ(run.Update()->GetNumberOfCells(), cells);
   EXPECT_TRUE(run.Errors.empty());
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, ConnectsFamiliesByNumber)
+{
+  FilterRun run;
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(vtkNew<vtkPolyData>());
+  for (const int family : { 1, 2, 3 })
+  {
+    run.Filter->SetFamilyConnection(family, producer->GetOutputPort());
+    EXPECT_EQ(run.Filter->GetInputConnection(family - 1, 0), producer->GetOutputPort());
+    EXPECT_EQ(run.Filter->GetTotalNumberOfInputConnections(), 1);
+    run.Filter->SetFamilyConnection(family, nullptr);
+    EXPECT_EQ(run.Filter->GetTotalNumberOfInputConnections(), 0);
+  }
+  EXPECT_TRUE(run.Errors.empty());
+  for (const int family : { -1, 0, 4 })
+  {
+    run.Filter->SetFamilyConnection(family, producer->GetOutputPort());
+    EXPECT_EQ(run.Filter->GetTotalNumberOfInputConnections(), 0);
+  }
+  ASSERT_EQ(run.Errors.size(), 3u);
+  EXPECT_TRUE(Contains(run.Errors[0], "Family -1")) << run.Errors[0];
 }
 
 //----------------------------------------------------------------------------
