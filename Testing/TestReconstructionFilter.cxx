@@ -406,14 +406,14 @@ TEST(ReconstructionFilter, SaysNothingAboutSlicesThatAgree)
 }
 
 //----------------------------------------------------------------------------
-TEST(ReconstructionFilter, WarnsOnceOfContradictionsAndIsolatedContours)
+TEST(ReconstructionFilter, WarnsOnceOfContradictionsAndContoursLeftOut)
 {
   FilterRun run(Stomach());
   vtkPolyData* surface = run.Update();
   EXPECT_TRUE(run.Errors.empty());
   ASSERT_EQ(run.Warnings.size(), 1u);
-  for (const char* name : { "NumberOfReconciledVertices", "NumberOfReconciledEdges",
-         "NumberOfContoursLeftOut", "NumberOfUndecidedPlaces" })
+  for (const char* name :
+    { "NumberOfReconciledVertices", "NumberOfReconciledEdges", "NumberOfContoursLeftOut" })
   {
     EXPECT_GT(FieldValue(surface, name), 0) << name;
     EXPECT_TRUE(Contains(run.Warnings[0], std::to_string(FieldValue(surface, name)))) << name;
