@@ -425,6 +425,14 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  /**
+   * Connects one family of slices: the same as SetInputConnection(family - 1, output), with the
+   * x-slices as family 1, the y-slices as family 2 and the z-slices as family 3. ParaView's proxies
+   * use it: its Python takes the active source for an input with port index 0 that a script leaves
+   * out, and no family may be made up.
+   */
+  void SetFamilyConnection(int family, vtkAlgorithmOutput* output);
+
   ///@{
   /**
    * The graph G (port 1), the histogram of polygon sizes (port 2), and the tables of contours
