@@ -7,6 +7,7 @@
 #include "Core/Graph/RemoveSmallComponents.h"
 #include "Core/Graph/SimplifyArcs.h"
 #include "Core/Patches/Domes.h"
+#include "Core/Slabs/StitchSlabs.h"
 #include "Core/Slices/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
 

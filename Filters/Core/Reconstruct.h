@@ -7,6 +7,7 @@
 #include "Core/Base/Execution.h"
 #include "Core/Cells/ChooseJoins.h"
 #include "Core/Cells/UndecidedPlaces.h"
+#include "Core/Correspondence/FindCorrespondences.h"
 #include "Core/Crossings/MeasureAgreement.h"
 #include "Core/Crossings/ReconcileSlices.h"
 #include "Core/Graph/EmbedArcs.h"

@@ -4,6 +4,7 @@
 #define OrthoSlicesChooseJoins_h
 
 #include "Core/Cells/JoinEvidence.h"
+#include "Core/Correspondence/PriorKnowledge.h"
 
 #include <vector>
 

@@ -4,19 +4,13 @@
 #define OrthoSlicesStitchSlabs_h
 
 #include "Core/Base/Execution.h"
-#include "Core/Cells/PatchMesh.h"
+#include "Core/Cells/CycleJoin.h"
 #include "Core/Correspondence/FindCorrespondences.h"
 
 #include <vector>
 
 namespace orthoslices
 {
-/// Two loops that bound one patch, by their cycles in its cell; First < Second.
-struct LoopPair
-{
-  Index First, Second;
-};
-
 /// What a criterion says of the loops of G, whose cycles are the last ones. ByEvidence: overlap.
 std::vector<LoopPair> PairLoops(
   const CycleGeometry& geometry, CorrespondenceCriterion criterion, const PriorKnowledge& known);
