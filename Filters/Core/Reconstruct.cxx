@@ -80,7 +80,7 @@ std::vector<Repair> DescribeShells(const Reconstruction& result)
   std::vector<Repair> repairs;
   for (const PatchMesh& mesh : result.Surface.Meshes)
   {
-    if (mesh.Kind != PatchKind::Shell)
+    if (!mesh.IsSeparatedDisc())
     {
       continue;
     }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Cells/PatchMesh.h"
+#include "Core/Cells/FindContacts.h"
 
 #include "Core/Base/Predicates.h"
 
@@ -8,26 +8,6 @@
 
 namespace orthoslices
 {
-Index EulerCharacteristic(const PatchMesh& mesh)
-{
-  std::vector<Index> corners;
-  std::vector<std::pair<Index, Index>> edges;
-  for (const auto& triangle : mesh.Triangles)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      corners.push_back(triangle[i]);
-      edges.push_back(std::minmax(triangle[i], triangle[(i + 1) % 3]));
-    }
-  }
-  const auto countDistinct = [](auto& list)
-  {
-    std::sort(list.begin(), list.end());
-    return static_cast<Index>(std::unique(list.begin(), list.end()) - list.begin());
-  };
-  return countDistinct(corners) - countDistinct(edges) + static_cast<Index>(mesh.Triangles.size());
-}
-
 PatchTriangle::PatchTriangle(
   Index patch, const std::array<Point3, 3>& corners, const std::array<Index, 3>& ids)
   : Patch(patch)
@@ -38,6 +18,56 @@ PatchTriangle::PatchTriangle(
   {
     this->Extent.Add(corner);
   }
+}
+
+CellTriangles::CellTriangles(const CycleGeometry& geometry)
+  : Geometry(geometry)
+{
+}
+
+void CellTriangles::AddFan(Index cycle, const Point3& center)
+{
+  this->Geometry.GetBoundary(cycle, this->Border, this->NodePlaces);
+  const NodeGraph& graph = this->Geometry.Graph;
+  const Index patch = static_cast<Index>(this->Kinds.size());
+  this->Kinds.push_back(PatchKind::Fan);
+  --this->LastId;
+  for (std::size_t i = 0; i < this->Border.size(); ++i)
+  {
+    const Index a = this->Border[i];
+    const Index b = this->Border[(i + 1) % this->Border.size()];
+    this->Triangles.push_back(
+      { patch, { center, graph.PointAt(a), graph.PointAt(b) }, { this->LastId, a, b } });
+  }
+}
+
+void CellTriangles::AddMesh(const PatchMesh& mesh)
+{
+  this->AddPatch(mesh.Kind, mesh.Cycles,
+    { mesh.Points.empty() ? nullptr : mesh.Points.front().data(), mesh.Points.size(),
+      mesh.Triangles.empty() ? nullptr : mesh.Triangles.front().data(), mesh.Triangles.size() });
+}
+
+void CellTriangles::AddPatch(
+  PatchKind kind, const std::vector<Index>& cycles, const PatchArrays& arrays)
+{
+  const std::vector<Index> borders = this->Geometry.GetBorders(cycles);
+  const Index patch = static_cast<Index>(this->Kinds.size());
+  this->Kinds.push_back(kind);
+  for (std::size_t t = 0; t < arrays.TriangleCount; ++t)
+  {
+    std::array<Point3, 3> corners;
+    std::array<Index, 3> ids;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const Index place = arrays.Corners[3 * t + i];
+      corners[i] =
+        place >= 0 ? this->Geometry.Graph.PointAt(borders[place]) : arrays.PointAt(-1 - place);
+      ids[i] = place >= 0 ? borders[place] : this->LastId + place;
+    }
+    this->Triangles.push_back({ patch, corners, ids });
+  }
+  this->LastId -= static_cast<Index>(arrays.PointCount);
 }
 
 namespace
@@ -74,11 +104,11 @@ enum class PairState : std::uint8_t
 class ContactSweep
 {
 public:
-  ContactSweep(const std::vector<PatchShape>& shapes, KnownApart* known)
-    : Shapes(shapes)
+  ContactSweep(const std::vector<PatchKind>& kinds, KnownApart* known)
+    : Kinds(kinds)
     , Known(known)
-    , Touches(shapes.size(), 0)
-    , States(shapes.size() * shapes.size(), PairState::Apart)
+    , Touches(kinds.size(), 0)
+    , States(kinds.size() * kinds.size(), PairState::Apart)
   {
   }
 
@@ -87,16 +117,21 @@ public:
 private:
   PairState& StateOf(Index first, Index second)
   {
-    return this->States[static_cast<std::size_t>(first) * this->Shapes.size() + second];
+    return this->States[static_cast<std::size_t>(first) * this->Kinds.size() + second];
+  }
+  /// Whether a patch that touches one other patch is built anew whatever else it touches.
+  bool MakesRoom(Index patch) const
+  {
+    return this->Kinds[patch] == PatchKind::Fan || this->Kinds[patch] == PatchKind::Shell;
   }
   std::vector<std::uint8_t> FindPairs(const std::vector<PatchTriangle>& triangles);
   bool IsKnown(Index first, Index second) const;
   void Test(const PatchTriangle& a, const PatchTriangle& b);
   void Remember();
 
-  const std::vector<PatchShape>& Shapes;
+  const std::vector<PatchKind>& Kinds;
   KnownApart* Known;
-  std::vector<std::uint8_t> Touches; ///< fans and shells
+  std::vector<std::uint8_t> Touches; ///< fans and shells that are known to touch another patch
   std::vector<PairState> States;     ///< of pairs in ascending order
   std::vector<std::pair<Index, Index>> Contacts;
 };
@@ -108,22 +143,22 @@ bool ContactSweep::IsKnown(Index first, Index second) const
       std::minmax({ this->Known->Numbers[first], this->Known->Numbers[second] })) > 0;
 }
 
-/// Names the patches that have to be tested, with which others or themselves being in States.
+/// The patches that have to be tested; States says with which others, or with themselves.
 std::vector<std::uint8_t> ContactSweep::FindPairs(const std::vector<PatchTriangle>& triangles)
 {
-  const Index count = static_cast<Index>(this->Shapes.size());
-  std::vector<Box3> boxes(this->Shapes.size());
+  const Index count = static_cast<Index>(this->Kinds.size());
+  std::vector<Box3> boxes(this->Kinds.size());
   for (const PatchTriangle& triangle : triangles)
   {
     boxes[triangle.Patch].Add(triangle.Extent);
   }
-  std::vector<std::uint8_t> isTested(this->Shapes.size(), 0);
+  std::vector<std::uint8_t> isTested(this->Kinds.size(), 0);
   for (Index i = 0; i < count; ++i)
   {
     for (Index j = i; j < count; ++j)
     {
       // A fan cannot touch itself.
-      const bool test = i == j ? this->Shapes[i] != PatchShape::Fan : boxes[i].Meets(boxes[j]);
+      const bool test = i == j ? this->Kinds[i] != PatchKind::Fan : boxes[i].Meets(boxes[j]);
       if (test && !this->IsKnown(i, j))
       {
         this->StateOf(i, j) = PairState::Tested;
@@ -135,6 +170,7 @@ std::vector<std::uint8_t> ContactSweep::FindPairs(const std::vector<PatchTriangl
   return isTested;
 }
 
+/// Tests two triangles whose boxes meet, unless what is known of their patches says enough.
 void ContactSweep::Test(const PatchTriangle& a, const PatchTriangle& b)
 {
   const std::pair<Index, Index> pair = std::minmax(a.Patch, b.Patch);
@@ -152,14 +188,15 @@ void ContactSweep::Test(const PatchTriangle& a, const PatchTriangle& b)
   {
     state = PairState::Touching;
     this->Contacts.push_back(pair);
-    this->Touches[pair.first] = this->Shapes[pair.first] != PatchShape::Joined;
-    this->Touches[pair.second] = this->Shapes[pair.second] != PatchShape::Joined;
+    this->Touches[pair.first] = this->MakesRoom(pair.first) ? 1 : 0;
+    this->Touches[pair.second] = this->MakesRoom(pair.second) ? 1 : 0;
   }
 }
 
+/// Notes the pairs that all tests have found apart.
 void ContactSweep::Remember()
 {
-  const Index count = static_cast<Index>(this->Shapes.size());
+  const Index count = static_cast<Index>(this->Kinds.size());
   for (Index i = 0; i < count; ++i)
   {
     for (Index j = i; j < count; ++j)
@@ -201,9 +238,8 @@ std::vector<std::pair<Index, Index>> ContactSweep::Run(std::vector<PatchTriangle
 }
 }
 
-std::vector<std::pair<Index, Index>> FindContacts(
-  std::vector<PatchTriangle>& triangles, const std::vector<PatchShape>& shapes, KnownApart* known)
+std::vector<std::pair<Index, Index>> FindContacts(CellTriangles& cell, KnownApart* known)
 {
-  return ContactSweep(shapes, known).Run(triangles);
+  return ContactSweep(cell.Kinds, known).Run(cell.Triangles);
 }
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Patches/InnerPatches.h"
 
+#include "Core/Cells/FindContacts.h"
 #include "Core/Patches/CoonsPatch.h"
 #include "Core/Patches/CreasePatch.h"
 
@@ -81,7 +82,6 @@ private:
     return { p[0], p[1], p[2] };
   }
   struct Workshop;
-  struct CellTriangles;
   bool Build(Index cycle, Workshop& shop) const;
   Index AddTo(CellTriangles& all, Index cycle, const InnerPatches& patches) const;
 
@@ -155,84 +155,40 @@ InnerPatches PatchFiller::Fill(std::size_t begin, std::size_t end) const
   return result;
 }
 
-/// All triangles of the patches of one cell.
-struct PatchFiller::CellTriangles
-{
-  std::vector<PatchTriangle> Triangles;
-  std::vector<PatchShape> Shapes;
-  Index NextId = 0;
-
-  /// `at` gives the place of a corner, as in PatchMesh.
-  template <typename Corners, typename At>
-  void Add(PatchShape shape, Index borderSize, std::size_t points, std::size_t count,
-    const Corners& corners, const At& at)
-  {
-    const Index patch = static_cast<Index>(this->Shapes.size());
-    this->Shapes.push_back(shape);
-    for (std::size_t t = 0; t < count; ++t)
-    {
-      std::array<Point3, 3> places;
-      std::array<Index, 3> ids;
-      for (int k = 0; k < 3; ++k)
-      {
-        const Index corner = corners(t, k);
-        places[k] = at(corner);
-        ids[k] = this->NextId + (corner >= 0 ? corner : borderSize - 1 - corner);
-      }
-      this->Triangles.emplace_back(patch, places, ids);
-    }
-    this->NextId += borderSize + static_cast<Index>(points);
-  }
-};
-
 /// The patch of a cycle, or the one of several cycles that this is the first of. Its number, or -1 if
 /// it is no inner one.
 Index PatchFiller::AddTo(CellTriangles& all, Index cycle, const InnerPatches& patches) const
 {
-  const NodeGraph& graph = this->Geometry.Graph;
-  const Index mesh = this->MeshOf[cycle];
-  const std::vector<Index> border =
-    this->Geometry.GetBorders(mesh >= 0 ? this->Meshes[mesh].Cycles : std::vector<Index>{ cycle });
-  const Index size = static_cast<Index>(border.size());
   const auto number = std::lower_bound(patches.Cycle.begin(), patches.Cycle.end(), cycle);
-  const auto add =
-    [&](std::size_t points, std::size_t count, const auto& corners, const auto& pointAt)
-  {
-    all.Add(PatchShape::Fan, size, points, count, corners,
-      [&](Index corner)
-      { return corner >= 0 ? graph.PointAt(border[corner]) : pointAt(-1 - corner); });
-  };
   if (number != patches.Cycle.end() && *number == cycle)
   {
     const std::size_t i = static_cast<std::size_t>(number - patches.Cycle.begin());
-    const Index* corners = patches.Corners.data() + 3 * patches.TriangleOffsets[i];
-    add(
-      static_cast<std::size_t>(patches.PointOffsets[i + 1] - patches.PointOffsets[i]),
-      static_cast<std::size_t>(patches.TriangleOffsets[i + 1] - patches.TriangleOffsets[i]),
-      [&](std::size_t t, int k) { return corners[3 * t + k]; },
-      [&](Index point) { return patches.PointAt(patches.PointOffsets[i] + point); });
+    const std::int64_t* points = patches.PointOffsets.data() + i;
+    const std::int64_t* triangles = patches.TriangleOffsets.data() + i;
+    all.AddPatch(PatchKind::Fan, { cycle },
+      { patches.Points.data() + 3 * points[0], static_cast<std::size_t>(points[1] - points[0]),
+        patches.Corners.data() + 3 * triangles[0],
+        static_cast<std::size_t>(triangles[1] - triangles[0]) });
     return static_cast<Index>(i);
   }
+  const Index mesh = this->MeshOf[cycle];
   if (mesh >= 0)
   {
-    const PatchMesh& m = this->Meshes[mesh];
-    add(
-      m.Points.size(), m.Triangles.size(), [&](std::size_t t, int k) { return m.Triangles[t][k]; },
-      [&](Index point) { return m.Points[point]; });
-    return -1;
+    all.AddMesh(this->Meshes[mesh]);
+    // It is known by now not to touch itself.
+    all.Kinds.back() = PatchKind::Fan;
   }
-  add(
-    1, border.size(),
-    [&](std::size_t t, int k)
-    { return k == 0 ? -1 : static_cast<Index>((t + (k == 2 ? 1 : 0)) % border.size()); },
-    [&](Index) { return this->CentralPoint(cycle); });
+  else
+  {
+    all.AddFan(cycle, this->CentralPoint(cycle));
+  }
   return -1;
 }
 
 std::vector<Index> PatchFiller::FindTouching(
   const Index* first, const Index* last, const InnerPatches& patches) const
 {
-  CellTriangles all;
+  CellTriangles all(this->Geometry);
   std::vector<Index> inner; // of each patch of the cell, its number, or -1
   for (const Index* cycle = first; cycle != last; ++cycle)
   {
@@ -243,7 +199,7 @@ std::vector<Index> PatchFiller::FindTouching(
     }
   }
   std::vector<Index> touching;
-  for (const auto& contact : FindContacts(all.Triangles, all.Shapes))
+  for (const auto& contact : FindContacts(all))
   {
     for (const Index patch : { contact.first, contact.second })
     {

@@ -445,7 +445,7 @@ PatchMaker::PatchMaker(const SlabStitcher& stitcher, std::size_t group, Index pi
     }
   }
   std::sort(this->Edges.begin(), this->Edges.end());
-  this->Mesh.Kind = PatchKind::Joined;
+  this->Mesh.Kind = PatchKind::Stitched;
 }
 
 /// The loops of the piece, in the order of their cycles.
