@@ -9,6 +9,7 @@
 #include "Core/Graph/SimplifyArcs.h"
 #include "Core/PatchAllCells.h"
 #include "Core/Patches/Domes.h"
+#include "Core/Slabs/StitchSlabs.h"
 #include "Core/Slices/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
 
@@ -66,7 +67,7 @@ std::vector<Repair> DescribeShells(const Reconstruction& result)
   std::vector<Repair> repairs;
   for (const PatchMesh& mesh : result.Surface.Meshes)
   {
-    if (mesh.Kind != PatchKind::Shell)
+    if (!mesh.IsSeparatedDisc())
     {
       continue;
     }
