@@ -168,11 +168,11 @@ std::string ListDoubts(const orthoslices::Reconstruction& result, bool repaired,
     text << "\n"
          << result.Invalid.size() << " contours were left out:" << ListProblems(result.Invalid);
   }
-  if (!result.Crossing.empty())
+  if (!result.CrossingProblems.empty())
   {
     text << "\n"
-         << result.Crossing.size() << " contours cross and were "
-         << (repaired ? "repaired:" : "left out:") << ListProblems(result.Crossing);
+         << result.CrossingProblems.size() << " contours cross and were "
+         << (repaired ? "repaired:" : "left out:") << ListProblems(result.CrossingProblems);
   }
   const orthoslices::Index disagreements = orthoslices::CountDisagreements(result, tolerance);
   if (!result.Repairs.empty() || disagreements > 0)
@@ -394,7 +394,7 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   if (result.Refused)
   {
     std::vector<orthoslices::Problem> problems = result.Invalid;
-    problems.insert(problems.end(), result.Crossing.begin(), result.Crossing.end());
+    problems.insert(problems.end(), result.CrossingProblems.begin(), result.CrossingProblems.end());
     vtkErrorMacro(
       "The input has " << problems.size() << " unusable contours:" << ListProblems(problems));
     return 0;

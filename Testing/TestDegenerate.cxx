@@ -13,6 +13,8 @@
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/RandomInput.h"
+#include "Support/ReconstructionMesh.h"
+#include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkCubeSource.h"
 #include "vtkNew.h"

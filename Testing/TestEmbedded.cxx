@@ -13,11 +13,15 @@
  */
 
 #include "Support/CheckEmbedding.h"
-#include "Support/DataSets.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/Random.h"
+#include "Support/ReconstructionMesh.h"
 #include "Support/ReduceInput.h"
+#include "Support/SelfIntersections.h"
+#include "Support/Stages.h"
+#include "Support/Vtk/DataSets.h"
+#include "Support/Vtk/PolyDataMesh.h"
 
 #include <gtest/gtest.h>
 

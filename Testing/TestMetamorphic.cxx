@@ -7,10 +7,11 @@
  */
 
 #include "Support/CheckSurface.h"
-#include "Support/DataSets.h"
+#include "Support/Vtk/DataSets.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/SliceSolid.h"
+#include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

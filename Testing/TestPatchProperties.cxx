@@ -7,11 +7,13 @@
 
 #include "Core/Base/Vectors.h"
 #include "Support/CheckSurface.h"
-#include "Support/DataSets.h"
+#include "Support/SelfIntersections.h"
+#include "Support/Vtk/DataSets.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/SliceSolid.h"
 #include "Support/SmoothSolids.h"
+#include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

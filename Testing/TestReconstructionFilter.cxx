@@ -6,11 +6,12 @@
  */
 
 #include "Support/CheckSurface.h"
-#include "Support/DataSets.h"
+#include "Support/Vtk/DataSets.h"
 #include "Support/FilterRun.h"
 #include "Support/RandomInput.h"
 #include "Support/SliceSolid.h"
 #include "Support/Stages.h"
+#include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCallbackCommand.h"

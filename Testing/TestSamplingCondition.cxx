@@ -15,6 +15,7 @@
 #include "Support/Random.h"
 #include "Support/RandomInput.h"
 #include "Support/SliceSolid.h"
+#include "Support/Vtk/PolyDataMesh.h"
 
 #include <gtest/gtest.h>
 

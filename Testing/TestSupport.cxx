@@ -5,9 +5,12 @@
  * @brief   the tests' own tools: checkers have to find what is wrong, fixtures to be what they say
  */
 
+#include "Support/CheckEmbedding.h"
 #include "Support/CheckSurface.h"
 #include "Support/Perturbations.h"
+#include "Support/SelfIntersections.h"
 #include "Support/SliceSolid.h"
+#include "Support/Vtk/CountTopology.h"
 
 #include <gtest/gtest.h>
 

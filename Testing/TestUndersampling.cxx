@@ -11,7 +11,9 @@
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/RandomInput.h"
+#include "Support/SelfIntersections.h"
 #include "Support/SliceSolid.h"
+#include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

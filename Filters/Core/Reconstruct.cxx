@@ -3,9 +3,10 @@
 #include "Core/Reconstruct.h"
 
 #include "Core/Base/Box.h"
-#include "Core/Cells/SeparatePatches.h"
-#include "Core/Graph/RemoveSmallComponents.h"
+#include "Core/Crossings/NodeNormals.h"
+#include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/SimplifyArcs.h"
+#include "Core/PatchAllCells.h"
 #include "Core/Patches/Domes.h"
 #include "Core/Slabs/StitchSlabs.h"
 #include "Core/Slices/AssembleContours.h"
@@ -13,15 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace orthoslices
 {
-CycleGeometry GeometryOf(const Reconstruction& result)
-{
-  return { result.Grid, result.Graph, result.Crossings, result.Nodes, result.Cycles };
-}
-
 namespace
 {
 /// Diagonal of the bounding box of all finite coordinates.
@@ -62,18 +57,6 @@ bool DoSlicesAgree(const SpatialGrid& grid, const NodePoints& nodes)
   return sum <= maximum * maximum * spacing * spacing * nodes.Count();
 }
 
-/// Names the share of the work that is done, and asks whether to go on.
-bool GoOn(const Execution& execution, Reconstruction& result, double progress)
-{
-  result.Stopped = !execution.Continue(progress);
-  return !result.Stopped;
-}
-
-void Append(const std::vector<Repair>& more, std::vector<Repair>& repairs)
-{
-  repairs.insert(repairs.end(), more.begin(), more.end());
-}
-
 /// One repair for each patch that became a shell.
 std::vector<Repair> DescribeShells(const Reconstruction& result)
 {
@@ -99,276 +82,257 @@ std::vector<Repair> DescribeShells(const Reconstruction& result)
   return repairs;
 }
 
-void CountContours(const Contours& contours, Reconstruction& result)
+/// Runs the stages one after another; see Reconstruct.h.
+class StageRunner
 {
+public:
+  StageRunner(const Options& options, const Execution& execution, const StageObserver& observer)
+    : Settings(options)
+    , Execute(execution)
+    , Observe(observer)
+  {
+  }
+
+  Reconstruction Run(std::array<Pieces, 3>&& pieces);
+
+private:
+  bool ReadContours(std::array<Pieces, 3>&& pieces);
+  bool OrientSlices();
+  bool MakeSlicesAgree();
+  bool BuildGraph();
+  bool PatchCells();
+  bool FillCycles();
+
+  void Finish(Stage stage) const;
+  bool GoOn(double progress);
+  void Report(const std::vector<Repair>& repairs);
+
+  const Options& Settings;
+  const Execution& Execute;
+  const StageObserver& Observe;
+  StageTables Tables;
+  Reconstruction Result;
+};
+
+void StageRunner::Finish(Stage stage) const
+{
+  if (this->Observe)
+  {
+    this->Observe(stage, this->Tables, this->Result);
+  }
+}
+
+/// Names the share of the work that is done, and asks whether to go on.
+bool StageRunner::GoOn(double progress)
+{
+  this->Result.Stopped = !this->Execute.Continue(progress);
+  return !this->Result.Stopped;
+}
+
+void StageRunner::Report(const std::vector<Repair>& repairs)
+{
+  this->Result.Repairs.insert(this->Result.Repairs.end(), repairs.begin(), repairs.end());
+}
+
+/// Closed contours on planes (the paper's section 3).
+bool StageRunner::ReadContours(std::array<Pieces, 3>&& pieces)
+{
+  this->Result.Diagonal = FindDiagonal(pieces);
+  this->Tables.Tolerance = this->Settings.PlaneTolerance * this->Result.Diagonal;
+  for (Pieces& set : pieces)
+  {
+    AssembleContours(
+      std::move(set), this->Tables.Tolerance, this->Tables.Contours, this->Result.Invalid);
+  }
+  this->Finish(Stage::AssembleContours);
+  return this->GoOn(0.15);
+}
+
+/// The spatial grid, and the interior on the left of each contour (sections 3 and 4).
+bool StageRunner::OrientSlices()
+{
+  const Options& options = this->Settings;
+  Reconstruction& result = this->Result;
+  Contours& contours = this->Tables.Contours;
+  const auto buildGrid = [&]
+  { result.Grid = BuildSpatialGrid(contours, this->Tables.Tolerance, options.SinglePrecision); };
+  buildGrid();
+  const Index assembled = contours.Count();
+  OrientContours(options.Orient, options.Crossing == CrossingContours::Repair, this->Execute,
+    contours, result.CrossingProblems);
+  if (contours.Count() < assembled)
+  {
+    // A plane whose contours were all removed says nothing: it must not count as empty.
+    buildGrid();
+  }
   for (const std::int8_t axis : contours.Axis)
   {
     ++result.ContourCount[axis];
   }
-}
-
-/// Arcs of the given cycles, but for loops.
-std::vector<Index> ArcsOf(
-  const NodeGraph& graph, const CellCycles& cycles, const std::vector<Index>& chosen)
-{
-  std::vector<Index> arcs;
-  for (const Index cycle : chosen)
-  {
-    for (Index i = cycles.Offsets[cycle]; i < cycles.Offsets[cycle + 1]; ++i)
-    {
-      if (!graph.IsLoop(cycles.Arcs[i].Arc))
-      {
-        arcs.push_back(cycles.Arcs[i].Arc);
-      }
-    }
-  }
-  return arcs;
-}
-
-/// The patches of all cycles, with the joins that can be made.
-SeparatedPatches ChoosePatches(const Options& options, const std::vector<double>& normals,
-  const Execution& execution, Reconstruction& result)
-{
-  constexpr int maxRounds = 16;
-  const CycleGeometry geometry = GeometryOf(result);
-  result.Cells = GroupByCell(result.Grid, result.Cycles, execution);
-  KnownPairs known;
-  if (options.Several == SeveralCycles::ByEvidence && !result.Graph.Loops.empty())
-  {
-    known.Pairs = PairLoops(geometry, options.Criterion, options.Known);
-    known.Exclusive = options.Criterion != CorrespondenceCriterion::ByEvidence;
-    known.Patches = StitchSlabs(
-      result.Grid, result.Cycles, options.Criterion, known.Pairs, execution, result.Graph);
-  }
-  result.Surface.CentralPoints = LocateCentralPoints(options.Central, geometry, normals, execution);
-  LowerDomes(geometry, result.Cells, normals, result.Surface.CentralPoints);
-  result.Joins.clear();
-  if (options.Several == SeveralCycles::ByEvidence)
-  {
-    result.Joins =
-      FindJoins(geometry, result.Cells, normals, result.Surface.CentralPoints, known, execution);
-  }
-  const bool atAnyPrice = options.Known.Components > 0 || options.Known.Genus >= 0;
-  PatchSeparator separator(
-    geometry, result.Cells, result.Surface.CentralPoints, known.Patches, atAnyPrice);
-  bool done = false;
-  for (int round = 1; round <= maxRounds && !done; ++round)
-  {
-    // Others may do instead of joins that have turned out to be impossible.
-    if (!result.Joins.empty())
-    {
-      ChooseJoins(geometry, options.Known, result.Joins);
-    }
-    done = separator.Run(execution, result.Joins);
-  }
-  return separator.Take();
-}
-
-/// Numbers the components of the surface, and counts its handles.
-void MeasureTopology(Reconstruction& result)
-{
-  const CycleGeometry geometry = GeometryOf(result);
-  DisjointSets parts = ConnectArcs(result.Crossings, result.Nodes, result.Graph);
-  // Two arcs leave each node, and the inside of a disc counts one.
-  Index euler = result.Cycles.Count() - result.Graph.Nodes;
-  for (const PatchMesh& mesh : result.Surface.Meshes)
-  {
-    for (const Index cycle : mesh.Cycles)
-    {
-      parts.Unite(geometry.PartOf(mesh.Cycles.front()), geometry.PartOf(cycle));
-    }
-    euler += EulerCharacteristic(mesh) - static_cast<Index>(mesh.Cycles.size());
-  }
-  FindComponents(parts, result.Graph);
-  result.Topology = { result.Graph.Components, result.Graph.Components - euler / 2 };
-}
-
-/// Cycles, central points and patches. Returns the cycles of cells that rounding leaves unresolved.
-std::vector<Index> PatchCells(const Options& options, const std::vector<double>& normals,
-  const Execution& execution, Reconstruction& result)
-{
-  result.Cycles = TraceCycles(result.Grid, result.Crossings, result.Nodes, result.Graph);
-  SeparatedPatches separated = ChoosePatches(options, normals, execution, result);
-  result.SharedCells = separated.SharedCells;
-  result.Surface.Meshes = std::move(separated.Meshes);
-  MeasureTopology(result);
-  return separated.Unresolved;
-}
-
-/// Takes the thinnest isolated contour of each of these cells out of the surface. False if there is
-/// none.
-bool LeaveOutThinnest(const std::vector<Index>& cycles, Reconstruction& result)
-{
-  const CycleGeometry geometry = GeometryOf(result);
-  std::vector<Index> contourOf(result.Graph.Loops.size(), IsolatedContours::None);
-  for (Index contour = 0; contour < result.Isolated.Count(); ++contour)
-  {
-    if (result.Isolated.Loop[contour] != IsolatedContours::None)
-    {
-      contourOf[result.Isolated.Loop[contour]] = contour;
-    }
-  }
-  std::map<std::array<Index, 3>, std::pair<double, Index>> thinnest;
-  for (const Index cycle : cycles)
-  {
-    if (geometry.IsLoop(cycle))
-    {
-      const Index contour = contourOf[geometry.LoopOf(cycle)];
-      const auto candidate = std::make_pair(ThicknessOf(result.Isolated, contour), contour);
-      const auto at = thinnest.emplace(result.Cycles.Cell[cycle], candidate).first;
-      at->second = std::min(at->second, candidate);
-    }
-  }
-  for (const auto& cell : thinnest)
-  {
-    result.Isolated.LeftOut[cell.second.second] = 1;
-  }
-  return !thinnest.empty();
-}
-
-/// Loops and all patches, without small components.
-void MakePatches(const Options& options, std::vector<double>& normals, const Execution& execution,
-  Reconstruction& result)
-{
-  constexpr int maxRounds = 3;
-  const auto embedIsolated = [&]
-  {
-    EmbedIsolated(result.Grid, result.Nodes, execution,
-      options.MinIsolatedContour * result.Diagonal, result.Crossings, result.Isolated,
-      result.Graph);
-  };
-  embedIsolated();
-  std::vector<Index> unresolved = PatchCells(options, normals, execution, result);
-  // Without small components, others may no longer be connected.
-  Index removed = options.MinComponent > 0.0 ? 1 : 0;
-  while (removed > 0)
-  {
-    removed = RemoveSmallComponents(options.MinComponent * result.Diagonal, result.Crossings,
-      result.Nodes, normals, result.Isolated, result.Graph);
-    result.SmallComponents += removed;
-    if (removed > 0)
-    {
-      unresolved = PatchCells(options, normals, execution, result);
-    }
-  }
-  // Arcs that lie too close together for the precision are drawn anew.
-  for (int round = 1; round < maxRounds && !unresolved.empty(); ++round)
-  {
-    Append(EmbedArcs(result.Grid, result.Nodes, execution, result.Crossings, result.Graph,
-             ArcsOf(result.Graph, result.Cycles, unresolved)),
-      result.Repairs);
-    embedIsolated();
-    unresolved = PatchCells(options, normals, execution, result);
-  }
-  // Isolated contours are not; some are so thin that there is no room beside them.
-  while (!unresolved.empty() && LeaveOutThinnest(unresolved, result))
-  {
-    embedIsolated();
-    unresolved = PatchCells(options, normals, execution, result);
-  }
-  result.DoubtfulCycles = static_cast<Index>(unresolved.size());
-}
-
-void FillPolygons(const Options& options, const Execution& execution, Reconstruction& result)
-{
-  const CycleGeometry geometry = GeometryOf(result);
-  if (options.Patching.Method != PatchMethod::Fan)
-  {
-    result.Normals = EstimateNormals(geometry, options.Patching.CornerAngle,
-      TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), execution);
-  }
-  result.Surface.Inner = BuildInnerPatches(geometry, result.Cells, result.Normals,
-    result.Surface.CentralPoints, result.Surface.Meshes, options.Patching, execution);
-  if (options.Patching.Method != PatchMethod::Smooth)
-  {
-    result.Normals = {}; // those of the triangles say more
-  }
-}
-}
-
-Index CountDisagreements(const Reconstruction& result, double tolerance)
-{
-  Index count = 0;
-  for (Index node = 0; node < result.Nodes.Count(); ++node)
-  {
-    count += result.Nodes.Disagreement(node) > tolerance ? 1 : 0;
-  }
-  return count;
-}
-
-Reconstruction Reconstruct(
-  std::array<Pieces, 3>&& pieces, const Options& options, const Execution& execution)
-{
-  Reconstruction result;
-  result.Diagonal = FindDiagonal(pieces);
-  const double tolerance = options.PlaneTolerance * result.Diagonal;
-  Contours contours;
-  for (Pieces& set : pieces)
-  {
-    AssembleContours(std::move(set), tolerance, contours, result.Invalid);
-  }
-  if (!GoOn(execution, result, 0.15))
-  {
-    return result;
-  }
-  result.Grid = BuildSpatialGrid(contours, tolerance, options.SinglePrecision);
-  const Index assembled = contours.Count();
-  OrientContours(options.Orient, options.Crossing == CrossingContours::Repair, execution, contours,
-    result.Crossing);
-  if (contours.Count() < assembled)
-  {
-    // A plane whose contours were all removed says nothing: it must not count as empty.
-    result.Grid = BuildSpatialGrid(contours, tolerance, options.SinglePrecision);
-  }
-  CountContours(contours, result);
   result.InsideOut = options.Orient == Orientation::AsDrawn && BoundOutside(contours);
   result.Refused = (options.RefuseInvalid && !result.Invalid.empty()) ||
-    (options.Crossing == CrossingContours::Refuse && !result.Crossing.empty());
-  if (result.Refused || !GoOn(execution, result, 0.35))
+    (options.Crossing == CrossingContours::Refuse && !result.CrossingProblems.empty());
+  this->Finish(Stage::OrientContours);
+  if (result.Refused || !this->GoOn(0.35))
   {
-    return result;
+    return false;
   }
-  SmoothContours(result.Grid, options.Smoothing, options.Patching.CornerAngle, execution, contours);
-  std::vector<IsolatedLoop> isolated;
-  result.Crossings = RegisterCrossings(contours, result.Grid, execution, isolated);
-  EdgeRegister edges = FileOnEdges(result.Crossings);
-  if (!GoOn(execution, result, 0.5))
+  SmoothContours(
+    result.Grid, options.Smoothing, options.Patching.CornerAngle, this->Execute, contours);
+  this->Finish(Stage::SmoothContours);
+  return true;
+}
+
+/// Where contours cross the lattice, without contradictions between the slices (section 4.2).
+bool StageRunner::MakeSlicesAgree()
+{
+  Reconstruction& result = this->Result;
+  StageTables& tables = this->Tables;
+  result.Crossings =
+    RegisterCrossings(tables.Contours, result.Grid, this->Execute, tables.IsolatedParts);
+  tables.Edges = FileOnEdges(result.Crossings);
+  this->Finish(Stage::RegisterCrossings);
+  if (!this->GoOn(0.5))
   {
-    return result;
+    return false;
   }
-  result.Reconciled = ReconcileSlices(
-    result.Grid, result.Crossings, edges, isolated, options.Weights, result.InsideOut ? 1 : 0);
+  result.Reconciled =
+    ReconcileSlices({ result.Grid, result.Crossings, tables.Edges, tables.IsolatedParts },
+      this->Settings.Weights, result.InsideOut ? 1 : 0);
   result.Repairs.swap(result.Reconciled.Repairs);
-  result.Nodes = PairNodePoints(result.Grid, result.Crossings, edges, options.Weights);
-  edges = EdgeRegister();
-  result.Graph =
-    BuildNodeGraph(contours, result.Grid, result.Crossings, result.Nodes, tolerance, execution);
-  std::vector<double> normals =
-    ComputeNodeNormals(contours, result.Grid, result.Crossings, result.Nodes, execution);
-  result.Isolated =
-    CopyIsolated(isolated, contours, result.Crossings, DoSlicesAgree(result.Grid, result.Nodes));
+  this->Finish(Stage::ReconcileSlices);
+  result.Nodes =
+    PairNodePoints(result.Grid, result.Crossings, tables.Edges, this->Settings.Weights);
+  this->Finish(Stage::PairNodePoints);
+  tables.Edges = EdgeRegister();
+  return true;
+}
+
+/// The graph G of node points and arcs (section 4.1), its arcs embedded, and the report.
+bool StageRunner::BuildGraph()
+{
+  Reconstruction& result = this->Result;
+  Contours& contours = this->Tables.Contours;
+  std::vector<double>& normals = this->Tables.NodeNormals;
+  result.Graph = BuildNodeGraph(
+    contours, result.Grid, result.Crossings, result.Nodes, this->Tables.Tolerance, this->Execute);
+  normals =
+    ComputeNodeNormals(contours, result.Grid, result.Crossings, result.Nodes, this->Execute);
+  result.Isolated = CopyIsolated(this->Tables.IsolatedParts, contours, result.Crossings,
+    DoSlicesAgree(result.Grid, result.Nodes));
+  this->Finish(Stage::BuildNodeGraph);
   result.Agreement =
     MeasureAgreement(contours, result.Grid, result.Crossings, result.Nodes, normals);
   result.Members = { contours.Axis, contours.Plane, contours.Cell };
-  ThinArcs(options.ContourTolerance * MinMeanSpacing(result.Grid), result.Crossings, result.Nodes,
-    execution, result.Graph);
-  Append(EmbedArcs(result.Grid, result.Nodes, execution, result.Crossings, result.Graph),
-    result.Repairs);
+  this->Finish(Stage::MeasureAgreement);
+  ThinArcs(this->Settings.ContourTolerance * MinMeanSpacing(result.Grid), result.Crossings,
+    result.Nodes, this->Execute, result.Graph);
+  this->Finish(Stage::ThinArcs);
+  this->Report(EmbedArcs(result.Grid, result.Nodes, this->Execute, result.Crossings, result.Graph));
+  this->Finish(Stage::EmbedArcs);
   contours = Contours();
-  if (!GoOn(execution, result, 0.65))
+  return this->GoOn(0.65);
+}
+
+/// Cycles in each cell (section 4.3), and the patches that are not fans.
+bool StageRunner::PatchCells()
+{
+  PatchAllCells(
+    this->Settings, this->Execute, [this](Stage stage) { this->Finish(stage); },
+    this->Tables.NodeNormals, this->Result);
+  this->Result.Undecided = FindUndecidedPlaces(GeometryOf(this->Result), this->Result.Joins);
+  this->Report(DescribeShells(this->Result));
+  this->Finish(Stage::FindUndecidedPlaces);
+  return this->GoOn(0.7);
+}
+
+/// Normals along the contours, and the inside of the patches (section 5).
+bool StageRunner::FillCycles()
+{
+  const PatchOptions& patching = this->Settings.Patching;
+  Reconstruction& result = this->Result;
+  const CycleGeometry geometry = GeometryOf(result);
+  if (NeedsNormals(patching.Method))
   {
-    return result;
+    result.Normals = EstimateNormals(geometry, patching.CornerAngle,
+      TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), this->Execute);
   }
-  MakePatches(options, normals, execution, result);
-  result.Undecided = FindUndecidedPlaces(GeometryOf(result), result.Joins);
-  Append(DescribeShells(result), result.Repairs);
-  if (!GoOn(execution, result, 0.7))
+  this->Finish(Stage::EstimateNormals);
+  result.Surface.Inner = BuildInnerPatches(
+    { geometry, result.Cells, result.Normals, result.Surface.CentralPoints, result.Surface.Meshes },
+    patching, this->Execute);
+  if (!GivesNormals(patching.Method))
   {
-    return result;
+    result.Normals = {}; // those of the triangles say more
   }
-  FillPolygons(options, execution, result);
+  this->Finish(Stage::BuildInnerPatches);
   LayOutTriangles(result.Graph, result.Cycles, result.Surface);
-  GoOn(execution, result, 0.8);
-  return result;
+  this->Finish(Stage::LayOutTriangles);
+  return this->GoOn(0.8);
+}
+
+Reconstruction StageRunner::Run(std::array<Pieces, 3>&& pieces)
+{
+  // Each part says whether to go on.
+  static_cast<void>(this->ReadContours(std::move(pieces)) && this->OrientSlices() &&
+    this->MakeSlicesAgree() && this->BuildGraph() && this->PatchCells() && this->FillCycles());
+  return std::move(this->Result);
+}
+}
+
+const char* NameOf(Stage stage)
+{
+  switch (stage)
+  {
+    case Stage::AssembleContours:
+      return "AssembleContours";
+    case Stage::OrientContours:
+      return "OrientContours";
+    case Stage::SmoothContours:
+      return "SmoothContours";
+    case Stage::RegisterCrossings:
+      return "RegisterCrossings";
+    case Stage::ReconcileSlices:
+      return "ReconcileSlices";
+    case Stage::PairNodePoints:
+      return "PairNodePoints";
+    case Stage::BuildNodeGraph:
+      return "BuildNodeGraph";
+    case Stage::MeasureAgreement:
+      return "MeasureAgreement";
+    case Stage::ThinArcs:
+      return "ThinArcs";
+    case Stage::EmbedArcs:
+      return "EmbedArcs";
+    case Stage::EmbedIsolated:
+      return "EmbedIsolated";
+    case Stage::TraceCycles:
+      return "TraceCycles";
+    case Stage::StitchSlabs:
+      return "StitchSlabs";
+    case Stage::LocateCentralPoints:
+      return "LocateCentralPoints";
+    case Stage::FindJoins:
+      return "FindJoins";
+    case Stage::SeparatePatches:
+      return "SeparatePatches";
+    case Stage::MeasureTopology:
+      return "MeasureTopology";
+    case Stage::FindUndecidedPlaces:
+      return "FindUndecidedPlaces";
+    case Stage::EstimateNormals:
+      return "EstimateNormals";
+    case Stage::BuildInnerPatches:
+      return "BuildInnerPatches";
+    case Stage::LayOutTriangles:
+      return "LayOutTriangles";
+  }
+  return "";
+}
+
+Reconstruction Reconstruct(std::array<Pieces, 3>&& pieces, const Options& options,
+  const Execution& execution, const StageObserver& observer)
+{
+  return StageRunner(options, execution, observer).Run(std::move(pieces));
 }
 }

@@ -15,6 +15,7 @@
 #include "Support/FilterRun.h"
 #include "Support/SliceSolid.h"
 #include "Support/SmoothSolids.h"
+#include "Support/Vtk/PolyDataMesh.h"
 
 #include "Core/Base/Vectors.h"
 

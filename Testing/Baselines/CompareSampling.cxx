@@ -13,6 +13,7 @@
 
 #include "CaseFolder.h"
 #include "Support/CheckSurface.h"
+#include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"

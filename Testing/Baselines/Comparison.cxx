@@ -7,7 +7,8 @@
 #include "NoisyContours.h"
 #include "RunApart.h"
 
-#include "Support/CheckSurface.h"
+#include "Support/CheckEmbedding.h"
+#include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkNew.h"
 #include "vtkTriangleFilter.h"

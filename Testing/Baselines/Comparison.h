@@ -10,7 +10,7 @@
 
 #include "Baseline.h"
 
-#include "Support/SurfaceMetrics.h"
+#include "Support/Vtk/SurfaceMetrics.h"
 
 #include <cstdint>
 #include <iosfwd>

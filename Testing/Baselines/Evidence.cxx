@@ -3,7 +3,8 @@
 #include "Evidence.h"
 
 #include "Support/ContourStacks.h"
-#include "Support/DataSets.h"
+#include "Support/ReconstructionMesh.h"
+#include "Support/Vtk/DataSets.h"
 
 #include <stdexcept>
 

@@ -18,7 +18,7 @@
 #include "Baselines/PlanarContours.h"
 #include "Baselines/RuledSurface.h"
 #include "Baselines/RunApart.h"
-#include "Support/SurfaceMetrics.h"
+#include "Support/Vtk/SurfaceMetrics.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

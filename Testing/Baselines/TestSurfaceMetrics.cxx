@@ -7,7 +7,7 @@
 
 #include "Baselines/ParametricMeshes.h"
 #include "Support/NearestTriangle.h"
-#include "Support/SurfaceMetrics.h"
+#include "Support/Vtk/SurfaceMetrics.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"

@@ -16,7 +16,9 @@
 
 #include "Support/CheckEmbedding.h"
 #include "Support/Random.h"
+#include "Support/ReconstructionMesh.h"
 #include "Support/ReduceInput.h"
+#include "Support/Stages.h"
 
 #include <algorithm>
 #include <cctype>

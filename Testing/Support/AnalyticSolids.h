@@ -15,7 +15,6 @@
 #include "Core/Base/Types.h"
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -72,13 +71,6 @@ struct CountedTopology
 {
   std::int64_t Components, Genus;
 };
-
-/**
- * Counted on a fine iso-surface. Nothing if the solid has another topology once it is larger or
- * smaller by `clearance` all around: then it has thin parts or narrow gaps, and nobody can tell
- * what is right for coarse slices.
- */
-std::optional<CountedTopology> CountTopology(const Solid& solid, double clearance);
 
 } // namespace support
 } // namespace orthoslices

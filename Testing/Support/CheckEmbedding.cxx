@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/CheckEmbedding.h"
 
+#include "Support/CheckSurface.h"
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 namespace orthoslices
@@ -272,7 +275,8 @@ public:
   {
   }
 
-  std::vector<Meeting> Find(std::size_t maximum);
+  std::vector<Meeting> Find(std::size_t maximum) const;
+  std::int64_t CountCrossings() const;
 
 private:
   struct Box
@@ -287,7 +291,10 @@ private:
   }
   int LongestAxis() const;
   std::vector<Box> SortedBoxes(int axis) const;
+  /// Calls the function for pairs of triangles whose boxes overlap, until it returns false.
+  void VisitNeighbours(const std::function<bool(std::int64_t, std::int64_t)>& visit) const;
   bool Meet(std::int64_t a, std::int64_t b) const;
+  bool SidePierces(std::int64_t a, std::int64_t b) const;
 
   const TriangleMesh& Mesh;
 };
@@ -364,7 +371,53 @@ bool MeetingFinder::Meet(std::int64_t first, std::int64_t second) const
   return EdgeMeets(s, sidesOfS, 1, t) || EdgeMeets(t, sidesOfT, 1, s);
 }
 
-std::vector<Meeting> MeetingFinder::Find(std::size_t maximum)
+/// A side of `a` without a corner of `b` passes from one side of `b` to the other through its inside.
+bool MeetingFinder::SidePierces(std::int64_t a, std::int64_t b) const
+{
+  const auto &ids = this->Mesh.Triangles[a], &others = this->Mesh.Triangles[b];
+  const auto isCorner = [&](std::int64_t id)
+  { return std::find(others.begin(), others.end(), id) != others.end(); };
+  const Corners s = this->CornersOf(ids), t = this->CornersOf(others);
+  const std::array<int, 3> sides = SidesOf(s, t);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const std::size_t j = (i + 1) % 3;
+    if (isCorner(ids[i]) || isCorner(ids[j]) || sides[i] * sides[j] >= 0)
+    {
+      continue;
+    }
+    const int side = ExactOrientation(s[i], s[j], t[0], t[1]);
+    if (side != 0 && ExactOrientation(s[i], s[j], t[1], t[2]) == side &&
+      ExactOrientation(s[i], s[j], t[2], t[0]) == side)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void MeetingFinder::VisitNeighbours(
+  const std::function<bool(std::int64_t, std::int64_t)>& visit) const
+{
+  const int axis = this->LongestAxis();
+  const std::vector<Box> boxes = this->SortedBoxes(axis);
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    const Box& a = boxes[i];
+    for (std::size_t j = i + 1; j < boxes.size() && boxes[j].Low[axis] <= a.High[axis]; ++j)
+    {
+      const Box& b = boxes[j];
+      const auto apart = [&](int n) { return a.Low[n] > b.High[n] || b.Low[n] > a.High[n]; };
+      const bool overlap = !apart((axis + 1) % 3) && !apart((axis + 2) % 3);
+      if (overlap && !visit(a.Triangle, b.Triangle))
+      {
+        return;
+      }
+    }
+  }
+}
+
+std::vector<Meeting> MeetingFinder::Find(std::size_t maximum) const
 {
   std::vector<Meeting> found;
   std::vector<std::uint8_t> flat(this->Mesh.Triangles.size(), 0);
@@ -377,27 +430,31 @@ std::vector<Meeting> MeetingFinder::Find(std::size_t maximum)
       found.push_back({ id, id });
     }
   }
-  const int axis = this->LongestAxis();
-  const std::vector<Box> boxes = this->SortedBoxes(axis);
-  for (std::size_t i = 0; i < boxes.size(); ++i)
+  if (found.size() < maximum)
   {
-    const Box& a = boxes[i];
-    for (std::size_t j = i + 1; j < boxes.size() && boxes[j].Low[axis] <= a.High[axis]; ++j)
-    {
-      const Box& b = boxes[j];
-      const auto apart = [&](int n) { return a.Low[n] > b.High[n] || b.Low[n] > a.High[n]; };
-      const bool overlap = !apart((axis + 1) % 3) && !apart((axis + 2) % 3);
-      if (overlap && !flat[a.Triangle] && !flat[b.Triangle] && this->Meet(a.Triangle, b.Triangle))
+    this->VisitNeighbours(
+      [&](std::int64_t a, std::int64_t b)
       {
-        found.push_back({ a.Triangle, b.Triangle });
-      }
-      if (found.size() >= maximum)
-      {
-        return found;
-      }
-    }
+        if (!flat[a] && !flat[b] && this->Meet(a, b))
+        {
+          found.push_back({ a, b });
+        }
+        return found.size() < maximum;
+      });
   }
   return found;
+}
+
+std::int64_t MeetingFinder::CountCrossings() const
+{
+  std::int64_t crossings = 0;
+  this->VisitNeighbours(
+    [&](std::int64_t a, std::int64_t b)
+    {
+      crossings += this->SidePierces(a, b) || this->SidePierces(b, a) ? 1 : 0;
+      return true;
+    });
+  return crossings;
 }
 
 void WriteTriangle(const TriangleMesh& mesh, std::int64_t t, std::ostream& os)
@@ -415,6 +472,11 @@ void WriteTriangle(const TriangleMesh& mesh, std::int64_t t, std::ostream& os)
 std::vector<Meeting> FindMeetings(const TriangleMesh& mesh, std::size_t maximum)
 {
   return MeetingFinder(mesh).Find(maximum);
+}
+
+std::int64_t CountCrossings(const TriangleMesh& mesh)
+{
+  return MeetingFinder(mesh).CountCrossings();
 }
 
 std::string DescribeFlaws(const TriangleMesh& mesh)

@@ -12,7 +12,9 @@
 #ifndef OrthoSlicesCheckEmbedding_h
 #define OrthoSlicesCheckEmbedding_h
 
-#include "Support/CheckSurface.h"
+#include "Support/TriangleMesh.h"
+
+#include <string>
 
 namespace orthoslices
 {
@@ -27,10 +29,17 @@ struct Meeting
 
 /**
  * Pairs of triangles with a point in common that is on neither a common edge nor a common vertex,
- * at most `most` of them. Vertices are common if their ids are the same; two ids at one place are two
+ * at most `maximum` of them. Vertices are common if their ids are the same; two ids at one place are two
  * vertices, and meet.
  */
 std::vector<Meeting> FindMeetings(const TriangleMesh& mesh, std::size_t maximum = 10);
+
+/**
+ * Pairs of triangles of which one has a side that passes through the inside of the other. Pairs that
+ * only touch or overlap in a plane are not counted: the figure is fair to any surface, also to one
+ * whose triangles do not share their points.
+ */
+std::int64_t CountCrossings(const TriangleMesh& mesh);
 
 /**
  * What is wrong with the surface: edges and vertices (G1 to G3) and triangles that meet (G6), with

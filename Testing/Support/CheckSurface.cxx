@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/CheckSurface.h"
 
+#include "Core/Reconstruct.h"
 #include "Core/Slices/AssembleContours.h"
 #include "Support/Random.h"
-
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -282,38 +279,6 @@ std::vector<Point3> FindMissingVertices(
   return missing;
 }
 
-Contours UsableContours(const PieceSets& pieces, const Options& options, SpatialGrid& grid)
-{
-  Point3 low{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
-  Point3 high{ -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
-  const auto extend = [&](int axis, const std::vector<double>& values)
-  {
-    for (const double x : values)
-    {
-      low[axis] = std::min(low[axis], x);
-      high[axis] = std::max(high[axis], x);
-    }
-  };
-  for (const Pieces& set : pieces)
-  {
-    extend(FirstAxis(set.Axis), set.U);
-    extend(SecondAxis(set.Axis), set.V);
-    extend(set.Axis, set.W);
-  }
-  const double tolerance = options.PlaneTolerance * Norm(Minus(high, low));
-  Contours contours;
-  std::vector<Problem> problems;
-  for (Pieces set : pieces)
-  {
-    AssembleContours(std::move(set), tolerance, contours, problems);
-  }
-  grid = BuildSpatialGrid(contours, tolerance, options.SinglePrecision);
-  OrientContours(
-    options.Orient, options.Crossing == CrossingContours::Repair, Execution(), contours, problems);
-  grid = BuildSpatialGrid(contours, tolerance, options.SinglePrecision);
-  return contours;
-}
-
 namespace
 {
 /// How often the contours of one slice wind around a point of it.
@@ -406,51 +371,6 @@ SideCheck CheckGridVertices(const TriangleMesh& mesh, const Contours& contours,
     }
   }
   return check;
-}
-
-TriangleMesh MeshOf(const Reconstruction& result)
-{
-  TriangleMesh mesh;
-  const std::vector<double> others = ListOtherPoints(result.Surface);
-  for (const auto* xyz : { &result.Graph.Points, &result.Surface.CentralPoints, &others })
-  {
-    for (std::size_t i = 0; i < xyz->size(); i += 3)
-    {
-      mesh.Points.push_back({ (*xyz)[i], (*xyz)[i + 1], (*xyz)[i + 2] });
-    }
-  }
-  if (result.Cycles.Count() == 0)
-  {
-    return mesh;
-  }
-  std::vector<std::int32_t> ids(3 * static_cast<std::size_t>(result.Surface.TriangleCount()), -1);
-  WriteTriangles(result.Surface, GeometryOf(result), Execution(), ids.data());
-  for (std::size_t i = 0; i < ids.size(); i += 3)
-  {
-    mesh.Triangles.push_back({ ids[i], ids[i + 1], ids[i + 2] });
-  }
-  return mesh;
-}
-
-TriangleMesh MeshOf(vtkPolyData* surface)
-{
-  TriangleMesh mesh;
-  mesh.Points.resize(surface->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-  {
-    surface->GetPoint(i, mesh.Points[i].data());
-  }
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
-  {
-    surface->GetCellPoints(cell, ids);
-    mesh.Triangles.push_back({ -1, -1, -1 });
-    for (vtkIdType i = 0; i < 3 && ids->GetNumberOfIds() == 3; ++i)
-    {
-      mesh.Triangles.back()[i] = ids->GetId(i);
-    }
-  }
-  return mesh;
 }
 
 } // namespace support

@@ -11,26 +11,19 @@
 #ifndef OrthoSlicesCheckSurface_h
 #define OrthoSlicesCheckSurface_h
 
-#include "Core/Reconstruct.h"
+#include "Core/Slices/OrientContours.h"
+#include "Core/Slices/SpatialGrid.h"
 #include "Support/TextContours.h"
+#include "Support/TriangleMesh.h"
 
 #include <iosfwd>
 
-class vtkPolyData;
-
 namespace orthoslices
 {
+struct Options;
+
 namespace support
 {
-
-struct TriangleMesh
-{
-  std::vector<Point3> Points;
-  std::vector<std::array<std::int64_t, 3>> Triangles;
-};
-
-TriangleMesh MeshOf(const Reconstruction& result);
-TriangleMesh MeshOf(vtkPolyData* surface);
 
 struct SurfaceCheck
 {
@@ -68,12 +61,6 @@ double WindingNumber(const TriangleMesh& mesh, const Point3& point);
 std::vector<Point3> FindMissingVertices(
   const Contours& contours, const TriangleMesh& mesh, double tolerance);
 
-/**
- * The contours that take part in the reconstruction, oriented and with their planes numbered:
- * the first three stages alone.
- */
-Contours UsableContours(const PieceSets& pieces, const Options& options, SpatialGrid& grid);
-
 /// What the surface says about vertices of the grid, against what the contours say.
 struct SideCheck
 {
@@ -90,16 +77,6 @@ struct SideCheck
  */
 SideCheck CheckGridVertices(const TriangleMesh& mesh, const Contours& contours,
   const SpatialGrid& grid, Orientation orientation, std::size_t maximum, std::uint64_t seed);
-
-/**
- * Pairs of triangles of which one has a side that certainly passes through the inside of the other:
- * brute force over neighbourhoods, with a bound for the rounding errors. Triangles that only touch or
- * overlap in a plane are not counted.
- */
-std::int64_t CountCrossings(const TriangleMesh& mesh);
-
-/// Pairs of triangles that meet in more than a common side or corner, counted by CGAL; -1 if the tests were built without it.
-std::int64_t CountSelfIntersections(const TriangleMesh& mesh);
 
 } // namespace support
 } // namespace orthoslices

@@ -3,6 +3,7 @@
 #include "Support/ReduceInput.h"
 
 #include "Support/CheckEmbedding.h"
+#include "Support/ReconstructionMesh.h"
 
 #include <algorithm>
 #include <cmath>

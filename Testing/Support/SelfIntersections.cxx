@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Support/CheckSurface.h"
+#include "Support/SelfIntersections.h"
 
 #ifdef ORTHOGONAL_SLICES_HAVE_CGAL
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -20,21 +20,23 @@ namespace orthoslices
 namespace support
 {
 
+/// The tables between the stages, as Reconstruct has them up to the embedded arcs, without loops.
 struct Stages
 {
-  /// Closed contours, trusted as drawn.
+  /// Contours as drawn.
   explicit Stages(const std::string& text)
-    : Set(ParseContours(text))
   {
-    this->Grid = BuildSpatialGrid(this->Set, Tolerance);
-    this->Run();
+    Options options;
+    options.PlaneTolerance = Tolerance;
+    options.Orient = Orientation::AsDrawn;
+    options.RefuseInvalid = false;
+    this->Run(ParsePieces(text), options, false);
   }
 
   /// With `shells`, all arcs are drawn anew.
   explicit Stages(const Input& input, bool shells = false)
   {
-    this->Set = UsableContours(input.Sets, input.Settings, this->Grid);
-    this->Run(shells);
+    this->Run(input.Sets, input.Settings, shells);
   }
 
   GridEdge EdgeOf(Index crossing) const
@@ -62,28 +64,71 @@ struct Stages
   CellCycles Cycles;
 
 private:
-  void Run(bool shells = false)
+  void Run(PieceSets pieces, const Options& options, bool shells)
   {
-    const Execution execution;
-    this->Registered = RegisterCrossings(this->Set, this->Grid, execution, this->Isolated);
-    this->Crossings = this->Registered;
-    this->Edges = FileOnEdges(this->Crossings);
-    this->Reconciled = ReconcileSlices(this->Grid, this->Crossings, this->Edges, this->Isolated);
-    this->Nodes = PairNodePoints(this->Grid, this->Crossings, this->Edges);
-    this->Graph =
-      BuildNodeGraph(this->Set, this->Grid, this->Crossings, this->Nodes, Tolerance, execution);
+    Reconstruct(std::move(pieces), options, Execution(),
+      [this](Stage stage, const StageTables& tables, const Reconstruction& result)
+      { this->Take(stage, tables, result); });
     std::vector<Index> forced;
     for (Index arc = 0; shells && arc < this->Crossings.Count(); ++arc)
     {
       forced.push_back(arc);
     }
     this->Redrawn =
-      EmbedArcs(this->Grid, this->Nodes, execution, this->Crossings, this->Graph, forced);
-    DisjointSets parts = ConnectArcs(this->Crossings, this->Nodes, this->Graph);
-    FindComponents(parts, this->Graph);
+      EmbedArcs(this->Grid, this->Nodes, Execution(), this->Crossings, this->Graph, forced);
     this->Cycles = TraceCycles(this->Grid, this->Crossings, this->Nodes, this->Graph);
+    const SurfaceComponents components = MeasureTopology(this->Geometry(), {});
+    this->Graph.Component = components.OfPart;
+    this->Graph.Components = components.Topology.Components;
+  }
+
+  void Take(Stage stage, const StageTables& tables, const Reconstruction& result)
+  {
+    switch (stage)
+    {
+      case Stage::SmoothContours:
+        this->Set = tables.Contours;
+        this->Grid = result.Grid;
+        break;
+      case Stage::RegisterCrossings:
+        this->Registered = result.Crossings;
+        break;
+      case Stage::ReconcileSlices:
+        this->Crossings = result.Crossings;
+        this->Isolated = tables.IsolatedParts;
+        this->Edges = tables.Edges;
+        this->Reconciled = result.Reconciled;
+        this->Reconciled.Repairs = result.Repairs;
+        break;
+      case Stage::BuildNodeGraph:
+        this->Nodes = result.Nodes;
+        this->Graph = result.Graph;
+        break;
+      default:
+        break;
+    }
   }
 };
+
+/// The contours that take part in a reconstruction, oriented and with their planes numbered.
+inline Contours UsableContours(const PieceSets& pieces, const Options& options, SpatialGrid& grid)
+{
+  Contours contours;
+  Options untilThen = options;
+  untilThen.RefuseInvalid = false;
+  Execution execution;
+  execution.Continue = [](double progress) { return progress < 0.3; };
+  Reconstruct(PieceSets(pieces), untilThen, execution,
+    [&](Stage stage, const StageTables& tables, const Reconstruction& result)
+    {
+      if (stage == Stage::OrientContours)
+      {
+        contours = tables.Contours;
+        grid = result.Grid;
+      }
+    });
+  return contours;
+}
 
 /**
  * A cube from 0.5 to 2.5 cut by the planes 1 and 2 of each axis. Every one of the 12 grid lines

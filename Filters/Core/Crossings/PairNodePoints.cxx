@@ -9,35 +9,46 @@ namespace orthoslices
 {
 namespace
 {
-/// Places nodes [first, last), which lie on one edge, at least a margin apart.
-void PlaceNodes(const SpatialGrid& grid, const GridEdge& edge, const GridCrossings& crossings,
-  const AxisWeights& weights, NodePoints& nodes, Index first, Index last)
+/// Nodes [First, Last), which lie on one edge.
+struct NodesOfEdge
 {
-  const int t = edge.Direction;
+  GridEdge Edge;
+  Index First, Last;
+};
+
+/// Places each node at the weighted mean of its two crossings.
+void PlaceAtMeans(const SpatialGrid& grid, const GridCrossings& crossings,
+  const AxisWeights& weights, const NodesOfEdge& range, NodePoints& nodes)
+{
+  const int t = range.Edge.Direction;
   const double sum = weights[FirstAxis(t)] + weights[SecondAxis(t)];
   const double share = sum > 0.0 ? weights[SecondAxis(t)] / sum : 0.5;
-  for (Index node = first; node < last; ++node)
+  for (Index node = range.First; node < range.Last; ++node)
   {
     const double low = crossings.Position[nodes.First[node]];
     const double difference = crossings.Position[nodes.Second[node]] - low;
     const double mean = low + share * difference;
     nodes.Difference.push_back(difference);
-    nodes.Position.push_back(grid.MoveInside(t, edge.Slab, mean));
+    nodes.Position.push_back(grid.MoveInside(t, range.Edge.Slab, mean));
   }
-  if (last - first == 1)
-  {
-    return;
-  }
+}
+
+/// Moves the nodes of one edge apart, by the grid's margin or as far as there is room.
+void MoveApart(const SpatialGrid& grid, const NodesOfEdge& range, NodePoints& nodes)
+{
+  const int t = range.Edge.Direction;
+  const Index slab = range.Edge.Slab, first = range.First, last = range.Last;
   double low, high;
-  grid.GetExtent(t, edge.Slab, nodes.Position[first], nodes.Position[last - 1], low, high);
-  const double gap = std::min(grid.Margin(t, edge.Slab), (high - low) / (2.0 * (last - first + 1)));
+  grid.GetExtent(t, slab, nodes.Position[first], nodes.Position[last - 1], low, high);
+  // Half of what there would be for each at equal distances: so all of them find room.
+  const double gap = std::min(grid.Margin(t, slab), (high - low) / (2.0 * (last - first + 1)));
   for (Index node = first + 1; node < last; ++node)
   {
     const double minimum = nodes.Position[node - 1] + gap;
     nodes.Position[node] = grid.Round(std::max(nodes.Position[node], minimum));
   }
   // What was pushed beyond the end goes back, and takes those before it along.
-  double maximum = edge.Slab < grid.Count(t) ? high - gap : nodes.Position[last - 1];
+  double maximum = slab < grid.Count(t) ? high - gap : nodes.Position[last - 1];
   for (Index node = last - 1; node >= first && nodes.Position[node] > maximum; --node)
   {
     nodes.Position[node] = grid.Round(maximum);
@@ -73,8 +84,13 @@ NodePoints PairNodePoints(const SpatialGrid& grid, const GridCrossings& crossing
     }
     if (first < nodes.Count())
     {
-      PlaceNodes(grid, code.Decode(crossings.Edge[nodes.First[first]]), crossings, weights, nodes,
-        first, nodes.Count());
+      const NodesOfEdge range{ code.Decode(crossings.Edge[nodes.First[first]]), first,
+        nodes.Count() };
+      PlaceAtMeans(grid, crossings, weights, range, nodes);
+      if (range.Last - range.First > 1)
+      {
+        MoveApart(grid, range, nodes);
+      }
     }
   }
   return nodes;

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesReconcileSlices_h
 #define OrthoSlicesReconcileSlices_h
 
-#include "Core/Crossings/RegisterCrossings.h"
+#include "Core/Crossings/CrossingTables.h"
 #include "Core/Crossings/Repair.h"
 
 #include <vector>
@@ -20,34 +20,21 @@ struct Reconciliation
 };
 
 /**
- * Makes the slices agree (our own addition; the paper assumes that they do).
+ * Makes the slices agree (our own addition; the paper assumes that they do), in two steps:
  *
- * At every vertex of M each of its three slices has a winding number, and they all get the label
- * that has the greater weight (with equal weights, the median; with two opposite halves, the
- * heaviest slice's): an infinitesimal loop around the vertex is inserted into the slice that
- * differs. Then both slices at an edge of M agree at its two ends, so their crossings, put in
- * alternating order, have the same first and last sign. They are matched so that the total length
- * on which the two slices disagree is least; what stays unmatched are pairs of neighbours, which
- * are *snipped*: on both faces beside the edge the two arcs that end there are joined.
+ *   LabelVertices  at every vertex of M, all slices get the label, inside or outside, that has the
+ *                  greater weight, by infinitesimal loops around the vertex;
+ *   SnipEdges      then both slices at an edge of M agree at its two ends: their crossings are
+ *                  matched, and those are taken out that stay unmatched.
  *
  * Afterwards every edge has the same number of crossings from both families, with alternating
  * signs, in the same order. Slices that agree are left as they are, bit for bit. Arcs that close
- * by the snipping are appended to `isolated` if they have three vertices or more.
+ * by the snipping are appended to tables.Isolated if they have three vertices or more.
  *
  * `background` is the winding number far away: 0, or 1 where the contours bound the outside.
  */
-Reconciliation ReconcileSlices(const SpatialGrid& grid, GridCrossings& crossings,
-  EdgeRegister& edges, std::vector<IsolatedLoop>& isolated,
-  const AxisWeights& weights = { 1.0, 1.0, 1.0 }, int background = 0);
-
-/**
- * Matches two ascending lists of positions whose signs alternate from the same first sign.
- * `matched` gets pairs of indices; the unmatched entries of each list form adjacent pairs.
- * Minimises the distances of matched entries plus the lengths between the two entries of unmatched
- * pairs.
- */
-void MatchAlternating(const std::vector<double>& first, const std::vector<double>& second,
-  std::vector<std::pair<Index, Index>>& matched);
+Reconciliation ReconcileSlices(
+  const CrossingTables& tables, const AxisWeights& weights = { 1.0, 1.0, 1.0 }, int background = 0);
 }
 
 #endif

@@ -24,6 +24,17 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
+/// A place at which a contour crosses a plane of one of its slice's two axes, u and v.
+struct PlaneCrossing
+{
+  Index Vertex;    ///< of the contour, before the crossing
+  bool CrossesU;   ///< whether the plane is one of constant u
+  Index Plane;     ///< its number
+  int Direction;   ///< 1 to the plane's upper side, -1 to its lower side
+  Index Slab;      ///< of the other axis, in which the contour is
+  double Position; ///< along the other axis, within that slab
+};
+
 /// One contour's walk through the faces of its slice, with the planes of its two in-plane axes.
 class ContourWalk
 {
@@ -39,7 +50,7 @@ public:
   {
   }
 
-  /// Calls visit(vertex, u-plane crossed?, plane, direction, slab of the other axis, position).
+  /// Calls visit(PlaneCrossing) for each crossing, in the order of the contour.
   template <typename Visit>
   void Run(Visit&& visit);
 
@@ -112,25 +123,26 @@ void ContourWalk::CrossSegment(Index vertex, Index next, Visit&& visit)
     {
       const int direction = targetU > this->SlabU ? 1 : -1;
       const Index plane = direction > 0 ? this->SlabU : this->SlabU - 1;
-      visit(vertex, true, plane, direction, this->SlabV,
-        this->Grid.Clamp(SecondAxis(this->Axis), this->SlabV, Interpolate(v0, v1, tu)));
+      visit(PlaneCrossing{ vertex, true, plane, direction, this->SlabV,
+        this->Grid.Clamp(SecondAxis(this->Axis), this->SlabV, Interpolate(v0, v1, tu)) });
       this->SlabU += direction;
     }
     else
     {
       const int direction = targetV > this->SlabV ? 1 : -1;
       const Index plane = direction > 0 ? this->SlabV : this->SlabV - 1;
-      visit(vertex, false, plane, direction, this->SlabU,
-        this->Grid.Clamp(FirstAxis(this->Axis), this->SlabU, Interpolate(u0, u1, tv)));
+      visit(PlaneCrossing{ vertex, false, plane, direction, this->SlabU,
+        this->Grid.Clamp(FirstAxis(this->Axis), this->SlabU, Interpolate(u0, u1, tv)) });
       this->SlabV += direction;
     }
   }
 }
 
-/// Writes the crossings of one contour to places [first, last) and links them.
-void FillContour(const Contours& contours, Index contour, const SpatialGrid& grid,
-  const GridEdgeCode& code, Index first, Index last, GridCrossings& crossings)
+/// Writes the places of one contour's crossings, from number `first` on.
+void WriteCrossings(const Contours& contours, Index contour, const SpatialGrid& grid, Index first,
+  GridCrossings& crossings)
 {
+  const GridEdgeCode code(grid);
   const int axis = contours.Axis[contour];
   const Index slice = contours.Plane[contour];
   const Index begin = contours.Offsets[contour];
@@ -138,19 +150,28 @@ void FillContour(const Contours& contours, Index contour, const SpatialGrid& gri
   Index c = first;
   ContourWalk(contours, contour, grid)
     .Run(
-      [&](Index vertex, bool crossesU, Index plane, int direction, Index slab, double position)
+      [&](const PlaneCrossing& crossed)
       {
         // Across a u-plane the grid line runs along v, whose first axis is that of the slice.
-        const GridEdge edge = crossesU ? GridEdge{ SecondAxis(axis), slice, plane, slab }
-                                       : GridEdge{ FirstAxis(axis), plane, slice, slab };
+        const GridEdge edge = crossed.CrossesU
+          ? GridEdge{ SecondAxis(axis), slice, crossed.Plane, crossed.Slab }
+          : GridEdge{ FirstAxis(axis), crossed.Plane, slice, crossed.Slab };
         crossings.Edge[c] = code.Encode(edge);
-        crossings.Position[c] = position;
-        crossings.Direction[c] = static_cast<std::int8_t>(direction);
-        crossings.Family[c] = crossesU ? 0 : 1;
-        crossings.RunFirst[c] = vertex + 1 < begin + size ? vertex + 1 : begin;
+        crossings.Position[c] = crossed.Position;
+        crossings.Direction[c] = static_cast<std::int8_t>(crossed.Direction);
+        crossings.Family[c] = crossed.CrossesU ? 0 : 1;
+        crossings.RunFirst[c] = crossed.Vertex + 1 < begin + size ? crossed.Vertex + 1 : begin;
         ++c;
       });
-  for (c = first; c < last; ++c)
+}
+
+/// Links the crossings [first, last) of one contour, and gives each the run of vertices after it.
+void LinkCrossings(
+  const Contours& contours, Index contour, Index first, Index last, GridCrossings& crossings)
+{
+  const Index begin = contours.Offsets[contour];
+  const Index size = contours.Size(contour);
+  for (Index c = first; c < last; ++c)
   {
     const Index next = c + 1 < last ? c + 1 : first;
     crossings.Next[c] = next;
@@ -176,7 +197,7 @@ GridCrossings RegisterCrossings(const Contours& contours, const SpatialGrid& gri
       for (std::size_t i = begin; i < end; ++i)
       {
         ContourWalk(contours, static_cast<Index>(i), grid)
-          .Run([&](Index, bool, Index, int, Index, double) { ++offsets[i + 1]; });
+          .Run([&](const PlaneCrossing&) { ++offsets[i + 1]; });
       }
     });
   for (std::size_t i = 0; i < count; ++i)
@@ -189,14 +210,14 @@ GridCrossings RegisterCrossings(const Contours& contours, const SpatialGrid& gri
   }
   GridCrossings crossings;
   crossings.Resize(offsets.back());
-  const GridEdgeCode code(grid);
   execution.For(count,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        FillContour(
-          contours, static_cast<Index>(i), grid, code, offsets[i], offsets[i + 1], crossings);
+        const Index contour = static_cast<Index>(i);
+        WriteCrossings(contours, contour, grid, offsets[i], crossings);
+        LinkCrossings(contours, contour, offsets[i], offsets[i + 1], crossings);
       }
     });
   return crossings;

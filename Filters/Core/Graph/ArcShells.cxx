@@ -20,11 +20,7 @@ struct BorderEnd
   Index Node;
   Index Crossing;
   bool IsStart; ///< of its arc
-
-  Index Arc(const GridCrossings& crossings) const
-  {
-    return this->IsStart ? this->Crossing : crossings.Previous[this->Crossing];
-  }
+  Index Arc;
 };
 
 class ShellDrawer
@@ -36,7 +32,7 @@ public:
   {
   }
 
-  Drawing Run(const FaceArcs& face);
+  FaceDrawing Run(const FaceArcs& face);
 
 private:
   void SortEnds(const FaceArcs& face);
@@ -52,7 +48,7 @@ private:
   const Face& Rectangle;
   std::array<double, 2> Low, High;
   std::vector<BorderEnd> Ends;
-  Drawing Result;
+  FaceDrawing Result;
 };
 
 /// Counter-clockwise around the face. Nodes on one grid edge are numbered upwards.
@@ -63,9 +59,9 @@ void ShellDrawer::SortEnds(const FaceArcs& face)
   {
     const Index stop = crossings.Next[arc];
     this->Ends.push_back(
-      { BorderEdge(crossings, arc, true), this->Geometry.StartNode(arc), arc, true });
+      { BorderEdge(crossings, arc, true), this->Geometry.StartNode(arc), arc, true, arc });
     this->Ends.push_back(
-      { BorderEdge(crossings, stop, false), this->Geometry.EndNode(arc), stop, false });
+      { BorderEdge(crossings, stop, false), this->Geometry.EndNode(arc), stop, false, arc });
   }
   std::sort(this->Ends.begin(), this->Ends.end(),
     [](const BorderEnd& a, const BorderEnd& b) {
@@ -78,7 +74,7 @@ bool ShellDrawer::Interlock() const
   std::vector<Index> open;
   for (const BorderEnd& end : this->Ends)
   {
-    const Index arc = end.Arc(this->Geometry.Crossings);
+    const Index arc = end.Arc;
     if (!open.empty() && open.back() == arc)
     {
       open.pop_back();
@@ -94,16 +90,18 @@ bool ShellDrawer::Interlock() const
 /// Joins every start to the nearest free end around the border; starts and ends alternate there.
 void ShellDrawer::Reconnect()
 {
-  std::vector<BorderEnd> open;
-  for (const BorderEnd& end : this->Ends)
+  std::vector<BorderEnd*> open;
+  for (BorderEnd& end : this->Ends)
   {
-    if (open.empty() || open.back().IsStart == end.IsStart)
+    if (open.empty() || open.back()->IsStart == end.IsStart)
     {
-      open.push_back(end);
+      open.push_back(&end);
       continue;
     }
-    const BorderEnd& other = open.back();
-    this->Geometry.Join((end.IsStart ? end : other).Crossing, (end.IsStart ? other : end).Crossing);
+    BorderEnd& start = end.IsStart ? end : *open.back();
+    BorderEnd& stop = end.IsStart ? *open.back() : end;
+    stop.Arc = start.Arc;
+    this->Result.Joins.push_back({ start.Crossing, stop.Crossing });
     open.pop_back();
   }
 }
@@ -158,7 +156,7 @@ void ShellDrawer::DrawArc(std::size_t first, std::size_t last, double depth)
   {
     std::reverse(points.begin() + begin, points.end());
   }
-  this->Result.Arc.push_back(from.Arc(this->Geometry.Crossings));
+  this->Result.Arcs.push_back(from.Arc);
   this->Result.Offsets.push_back(points.size());
 }
 
@@ -169,12 +167,11 @@ void ShellDrawer::Draw()
     std::size_t End;
     int Height; ///< greatest number of arcs nested beneath, so far
   };
-  const GridCrossings& crossings = this->Geometry.Crossings;
   const double step = DeepestShell / (0.5 * this->Ends.size());
   std::vector<Open> open;
   for (std::size_t i = 0; i < this->Ends.size(); ++i)
   {
-    if (open.empty() || this->Ends[open.back().End].Arc(crossings) != this->Ends[i].Arc(crossings))
+    if (open.empty() || this->Ends[open.back().End].Arc != this->Ends[i].Arc)
     {
       open.push_back({ i, 0 });
       continue;
@@ -194,7 +191,7 @@ void ShellDrawer::Describe(bool reconnected)
 {
   Point3 sum{ 0.0, 0.0, 0.0 };
   double length = 0.0;
-  for (std::size_t arc = 0; arc < this->Result.Arc.size(); ++arc)
+  for (std::size_t arc = 0; arc < this->Result.Arcs.size(); ++arc)
   {
     for (std::size_t i = this->Result.Offsets[arc]; i < this->Result.Offsets[arc + 1]; ++i)
     {
@@ -213,7 +210,7 @@ void ShellDrawer::Describe(bool reconnected)
     length };
 }
 
-Drawing ShellDrawer::Run(const FaceArcs& face)
+FaceDrawing ShellDrawer::Run(const FaceArcs& face)
 {
   this->SortEnds(face);
   const bool reconnect = this->Interlock();
@@ -228,7 +225,7 @@ Drawing ShellDrawer::Run(const FaceArcs& face)
 }
 }
 
-Drawing DrawArcShells(const ArcGeometry& geometry, const FaceArcs& face)
+FaceDrawing DrawArcShells(const ArcGeometry& geometry, const FaceArcs& face)
 {
   return ShellDrawer(geometry, face.Face).Run(face);
 }

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesArcShells_h
 #define OrthoSlicesArcShells_h
 
+#include "Core/Graph/EditGraph.h"
 #include "Core/Graph/FaceArcs.h"
 
 namespace orthoslices
@@ -12,7 +13,7 @@ namespace orthoslices
  * of the face at a depth that grows with the number of arcs nested beneath it, so that no two can
  * meet. If the ends of the arcs interlock, they are joined anew first, neighbour to neighbour.
  */
-Drawing DrawArcShells(const ArcGeometry& geometry, const FaceArcs& face);
+FaceDrawing DrawArcShells(const ArcGeometry& geometry, const FaceArcs& face);
 }
 
 #endif

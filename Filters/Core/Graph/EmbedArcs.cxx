@@ -3,6 +3,7 @@
 #include "Core/Graph/EmbedArcs.h"
 
 #include "Core/Graph/ArcShells.h"
+#include "Core/Graph/EditGraph.h"
 #include "Core/Graph/FaceArcs.h"
 #include "Core/Planar/UncrossCurves.h"
 
@@ -30,7 +31,7 @@ public:
   {
   }
 
-  std::vector<Repair> Run(const std::vector<Index>& forced);
+  std::vector<FaceDrawing> Run(const ArcsByFace& faces, const std::vector<Index>& forced) const;
 
 private:
   enum class Task : std::uint8_t
@@ -41,44 +42,23 @@ private:
   };
 
   std::vector<Task> Classify(const ArcsByFace& faces, const std::vector<Index>& forced) const;
-  void MoveInside(const Face& face, Index arc) const;
   bool IsSimple(const FaceArcs& face) const;
   bool IsMonotone(const Face& face, Index arc) const;
   bool AreOnOneEdge(Index a, Index b) const;
 
-  Drawing Draw(const FaceArcs& face, bool forced) const;
-  bool Uncross(const FaceArcs& face, Drawing& drawing) const;
+  FaceDrawing Draw(const FaceArcs& face, bool forced) const;
+  bool Uncross(const FaceArcs& face, FaceDrawing& drawing) const;
   FaceCurves GetCurves(const FaceArcs& face) const;
   Index StopOf(const FaceArcs& face, const FaceCurves& curves, Index curve) const;
   Index AddBumps(const FaceArcs& face, FaceCurves& curves) const;
   Point2 Bump(const Face& face, Index start, Index stop) const;
   void Redraw(const FaceArcs& face, const FaceCurves& curves, const Uncrossing& outcome,
-    Drawing& drawing) const;
-  Repair DescribeBumps(const Face& face, const Drawing& drawing) const;
-  void Replace(const std::vector<Drawing>& drawings) const;
+    FaceDrawing& drawing) const;
+  Repair DescribeBumps(const Face& face, const FaceDrawing& drawing) const;
 
   const ArcGeometry& Geometry;
   const Execution& Execute;
 };
-
-void ArcEmbedder::MoveInside(const Face& face, Index arc) const
-{
-  const SpatialGrid& grid = this->Geometry.Grid;
-  double* point = this->Geometry.Graph.Points.data() +
-    3 * static_cast<std::size_t>(this->Geometry.Graph.FirstPoint(arc));
-  double* const end = point + 3 * static_cast<std::size_t>(this->Geometry.Graph.PointCount(arc));
-  for (; point != end; point += 3)
-  {
-    for (int side = 0; side < 2; ++side)
-    {
-      const int axis = (face.Axis + 1 + side) % 3;
-      if (!grid.IsInside(axis, face.Slab[side], point[axis]))
-      {
-        point[axis] = grid.MoveInside(axis, face.Slab[side], point[axis]);
-      }
-    }
-  }
-}
 
 /// Every segment goes forward in the direction from end to end: such an arc cannot touch itself.
 bool ArcEmbedder::IsMonotone(const Face& face, Index arc) const
@@ -190,7 +170,7 @@ Index ArcEmbedder::AddBumps(const FaceArcs& face, FaceCurves& curves) const
 }
 
 /// Passes the vertices of the arcs in another order. False if that does not help.
-bool ArcEmbedder::Uncross(const FaceArcs& face, Drawing& drawing) const
+bool ArcEmbedder::Uncross(const FaceArcs& face, FaceDrawing& drawing) const
 {
   constexpr int maxRounds = 4;
   FaceCurves curves = this->GetCurves(face);
@@ -212,8 +192,8 @@ bool ArcEmbedder::Uncross(const FaceArcs& face, Drawing& drawing) const
 }
 
 /// The arcs that are not as they were.
-void ArcEmbedder::Redraw(
-  const FaceArcs& face, const FaceCurves& curves, const Uncrossing& outcome, Drawing& drawing) const
+void ArcEmbedder::Redraw(const FaceArcs& face, const FaceCurves& curves, const Uncrossing& outcome,
+  FaceDrawing& drawing) const
 {
   std::vector<Index> stops;
   for (Index i = 0; i < face.Count(); ++i)
@@ -224,13 +204,16 @@ void ArcEmbedder::Redraw(
   {
     const std::vector<Index>& curve = curves.Curves.Curves[i];
     const Index size = curves.First[i + 1] - curves.First[i];
-    this->Geometry.Join(face.First[i], stops[i]);
+    if (this->Geometry.Crossings.Next[face.First[i]] != stops[i])
+    {
+      drawing.Joins.push_back({ face.First[i], stops[i] });
+    }
     if (static_cast<Index>(curve.size()) == size && curve.back() == curves.First[i + 1] - 1 &&
       std::is_sorted(curve.begin(), curve.end()))
     {
       continue;
     }
-    drawing.Arc.push_back(face.First[i]);
+    drawing.Arcs.push_back(face.First[i]);
     for (std::size_t k = 1; k + 1 < curve.size(); ++k)
     {
       drawing.Points.push_back(this->Geometry.InSpace(face.Face, curves.Curves.Vertices[curve[k]]));
@@ -243,12 +226,12 @@ void ArcEmbedder::Redraw(
 }
 
 /// The repair that is nothing but bumps.
-Repair ArcEmbedder::DescribeBumps(const Face& face, const Drawing& drawing) const
+Repair ArcEmbedder::DescribeBumps(const Face& face, const FaceDrawing& drawing) const
 {
   double length = 0.0;
-  for (std::size_t i = 0; i < drawing.Arc.size(); ++i)
+  for (std::size_t i = 0; i < drawing.Arcs.size(); ++i)
   {
-    const Point2 start = this->Geometry.InPlane(face, this->Geometry.StartNode(drawing.Arc[i]));
+    const Point2 start = this->Geometry.InPlane(face, this->Geometry.StartNode(drawing.Arcs[i]));
     const Point3 bump = drawing.Points[i];
     length += 2.0 *
       std::hypot(bump[FirstAxis(face.Axis)] - start[0], bump[SecondAxis(face.Axis)] - start[1]);
@@ -256,55 +239,10 @@ Repair ArcEmbedder::DescribeBumps(const Face& face, const Drawing& drawing) cons
   return { RepairKind::ArcsRedrawn, face.Axis, face.Plane, drawing.Points.front(), length };
 }
 
-Drawing ArcEmbedder::Draw(const FaceArcs& face, bool forced) const
+FaceDrawing ArcEmbedder::Draw(const FaceArcs& face, bool forced) const
 {
-  Drawing drawing;
+  FaceDrawing drawing;
   return !forced && this->Uncross(face, drawing) ? drawing : DrawArcShells(this->Geometry, face);
-}
-
-/// Writes the points of G anew with the new arcs in the places of the old ones.
-void ArcEmbedder::Replace(const std::vector<Drawing>& drawings) const
-{
-  NodeGraph& graph = this->Geometry.Graph;
-  const Index arcs = this->Geometry.Crossings.Count();
-  using Place = std::pair<const Drawing*, std::size_t>;
-  std::vector<Place> places(arcs, Place(nullptr, 0));
-  std::size_t more = 0;
-  for (const Drawing& drawing : drawings)
-  {
-    for (std::size_t i = 0; i < drawing.Arc.size(); ++i)
-    {
-      places[drawing.Arc[i]] = { &drawing, i };
-    }
-    more += 3 * drawing.Points.size();
-  }
-  std::vector<double> points(
-    graph.Points.begin(), graph.Points.begin() + 3 * static_cast<std::size_t>(graph.Nodes));
-  points.reserve(graph.Points.size() + more);
-  std::vector<Index> offsets(1, 0);
-  graph.Redrawn.resize(arcs, 0);
-  for (Index arc = 0; arc < arcs; ++arc)
-  {
-    if (!places[arc].first)
-    {
-      const auto first = graph.Points.begin() + 3 * static_cast<std::size_t>(graph.FirstPoint(arc));
-      points.insert(
-        points.end(), first, first + 3 * static_cast<std::size_t>(graph.PointCount(arc)));
-    }
-    else
-    {
-      const Drawing& drawing = *places[arc].first;
-      const std::size_t i = places[arc].second;
-      graph.Redrawn[arc] = 1;
-      for (std::size_t k = drawing.Offsets[i]; k < drawing.Offsets[i + 1]; ++k)
-      {
-        points.insert(points.end(), drawing.Points[k].begin(), drawing.Points[k].end());
-      }
-    }
-    offsets.push_back(static_cast<Index>(points.size() / 3) - graph.Nodes);
-  }
-  graph.Points.swap(points);
-  graph.Offsets.swap(offsets);
 }
 
 /// What to do with each face: keep it, take its arcs apart, or draw them anew.
@@ -326,7 +264,6 @@ std::vector<ArcEmbedder::Task> ArcEmbedder::Classify(
         bool anew = false;
         for (const Index arc : face)
         {
-          this->MoveInside(face.Face, arc);
           anew |= !isForced.empty() && isForced[arc] != 0;
         }
         tasks[i] = anew ? Task::DrawAnew : this->IsSimple(face) ? Task::Keep : Task::Uncross;
@@ -335,10 +272,9 @@ std::vector<ArcEmbedder::Task> ArcEmbedder::Classify(
   return tasks;
 }
 
-std::vector<Repair> ArcEmbedder::Run(const std::vector<Index>& forced)
+std::vector<FaceDrawing> ArcEmbedder::Run(
+  const ArcsByFace& faces, const std::vector<Index>& forced) const
 {
-  const ArcsByFace faces =
-    GroupArcsByFace(this->Geometry.Grid, this->Geometry.Crossings, this->Execute);
   const std::vector<Task> tasks = this->Classify(faces, forced);
   std::vector<Index> changed;
   for (Index face = 0; face < faces.Count(); ++face)
@@ -348,7 +284,7 @@ std::vector<Repair> ArcEmbedder::Run(const std::vector<Index>& forced)
       changed.push_back(face);
     }
   }
-  std::vector<Drawing> drawings(changed.size());
+  std::vector<FaceDrawing> drawings(changed.size());
   this->Execute.For(changed.size(),
     [&](std::size_t begin, std::size_t end)
     {
@@ -357,16 +293,7 @@ std::vector<Repair> ArcEmbedder::Run(const std::vector<Index>& forced)
         drawings[i] = this->Draw(faces[changed[i]], tasks[changed[i]] == Task::DrawAnew);
       }
     });
-  std::vector<Repair> repairs;
-  for (const Drawing& drawing : drawings)
-  {
-    repairs.push_back(drawing.What);
-  }
-  if (!repairs.empty())
-  {
-    this->Replace(drawings);
-  }
-  return repairs;
+  return drawings;
 }
 }
 
@@ -374,7 +301,16 @@ std::vector<Repair> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
   const Execution& execution, GridCrossings& crossings, NodeGraph& graph,
   const std::vector<Index>& forced)
 {
+  const ArcsByFace faces = GroupArcsByFace(grid, crossings, execution);
+  MoveInsideFaces(grid, faces, execution, graph);
   const ArcGeometry geometry{ grid, nodes, crossings, graph };
-  return ArcEmbedder(geometry, execution).Run(forced);
+  const std::vector<FaceDrawing> drawings = ArcEmbedder(geometry, execution).Run(faces, forced);
+  std::vector<Repair> repairs;
+  for (const FaceDrawing& drawing : drawings)
+  {
+    repairs.push_back(drawing.What);
+  }
+  ReplaceArcs(drawings, crossings, graph);
+  return repairs;
 }
 }

@@ -23,7 +23,7 @@ namespace orthoslices
  *
  * Other faces keep every vertex. `forced` lists arcs whose faces are drawn anew in any case.
  * Returns one repair for each face that was changed, and marks its changed arcs in
- * NodeGraph::Redrawn.
+ * NodeGraph::Redrawn. If there are any, G has no loops afterwards.
  */
 std::vector<Repair> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
   const Execution& execution, GridCrossings& crossings, NodeGraph& graph,

@@ -41,22 +41,13 @@ struct ArcsByFace
 ArcsByFace GroupArcsByFace(
   const SpatialGrid& grid, const GridCrossings& crossings, const Execution& execution);
 
-/// Arcs that get other points, those of a face together, and the repair that this is.
-struct Drawing
-{
-  std::vector<Index> Arc;
-  std::vector<std::size_t> Offsets{ 0 };
-  std::vector<Point3> Points;
-  Repair What{};
-};
-
-/// What the arcs look like now. The arcs of different faces may be used at the same time.
+/// What the arcs look like now.
 struct ArcGeometry
 {
   const SpatialGrid& Grid;
   const NodePoints& Nodes;
-  GridCrossings& Crossings;
-  NodeGraph& Graph;
+  const GridCrossings& Crossings;
+  const NodeGraph& Graph;
 
   Index StartNode(Index arc) const { return this->Nodes.NodeOf[arc]; }
   Index EndNode(Index arc) const { return this->Nodes.NodeOf[this->Crossings.Next[arc]]; }
@@ -88,13 +79,6 @@ struct ArcGeometry
       visit(first + i);
     }
     visit(this->EndNode(arc));
-  }
-
-  /// Lets an arc lead to another crossing. All arcs of a face must be joined again.
-  void Join(Index arc, Index stop) const
-  {
-    this->Crossings.Next[arc] = stop;
-    this->Crossings.Previous[stop] = arc;
   }
 };
 

@@ -251,15 +251,4 @@ DisjointSets ConnectArcs(
   }
   return parts;
 }
-
-void FindComponents(DisjointSets& parts, NodeGraph& graph)
-{
-  graph.Component.resize(graph.Nodes + graph.Loops.size());
-  graph.Components = 0;
-  for (Index i = 0; i < static_cast<Index>(graph.Component.size()); ++i)
-  {
-    const Index root = parts.Find(i);
-    graph.Component[i] = root == i ? graph.Components++ : graph.Component[root];
-  }
-}
 }

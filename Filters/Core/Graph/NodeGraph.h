@@ -26,7 +26,7 @@ struct NodeGraph
   std::vector<double> Points;        ///< x, y, z of each point
   std::vector<Index> Offsets;        ///< for each crossing, each loop, and the end
   std::vector<Face> Loops;           ///< the face of each loop
-  std::vector<Index> Component;      ///< of each node and each loop; see FindComponents
+  std::vector<Index> Component;      ///< of each node and each loop; see MeasureTopology
   std::vector<std::uint8_t> Redrawn; ///< arcs that EmbedArcs changed; empty if none
   Index Nodes = 0;
   Index Arcs = 0; ///< as many as there are crossings
@@ -56,9 +56,6 @@ NodeGraph BuildNodeGraph(const Contours& contours, const SpatialGrid& grid,
 /// The connected parts of G: nodes joined by arcs, then each loop by itself.
 DisjointSets ConnectArcs(
   const GridCrossings& crossings, const NodePoints& nodes, const NodeGraph& graph);
-
-/// Numbers the sets from 0 by their least members: the components of the surface.
-void FindComponents(DisjointSets& parts, NodeGraph& graph);
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "Core/Graph/SimplifyArcs.h"
 
 #include "Core/Base/Vectors.h"
+#include "Core/Graph/EditGraph.h"
 
 #include <algorithm>
 
@@ -79,22 +80,6 @@ void ThinArcs(double tolerance, const GridCrossings& crossings, const NodePoints
         std::copy(kept.begin() + 1, kept.end() - 1, isKept.begin() + graph.Offsets[arc]);
       }
     });
-  std::size_t to = 3 * static_cast<std::size_t>(graph.Nodes);
-  Index point = 0, left = 0;
-  for (std::size_t arc = 0; arc + 1 < graph.Offsets.size(); ++arc)
-  {
-    for (; point < graph.Offsets[arc + 1]; ++point)
-    {
-      if (isKept[point] != 0)
-      {
-        const Point3 place = graph.PointAt(graph.Nodes + point);
-        std::copy(place.begin(), place.end(), graph.Points.begin() + to);
-        to += 3;
-        ++left;
-      }
-    }
-    graph.Offsets[arc + 1] = left;
-  }
-  graph.Points.resize(to);
+  LeaveOutVertices(isKept, graph);
 }
 }

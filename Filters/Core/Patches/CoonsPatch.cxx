@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Patches/CoonsPatch.h"
 
+#include "Core/Patches/PatchView.h"
 #include "Core/Patches/Quadrilaterals.h"
 #include "Core/Planar/DiscTriangulation.h"
 

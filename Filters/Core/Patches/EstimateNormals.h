@@ -4,7 +4,7 @@
 #define OrthoSlicesEstimateNormals_h
 
 #include "Core/Base/Execution.h"
-#include "Core/Cells/PatchMesh.h"
+#include "Core/Graph/CycleGeometry.h"
 
 #include <vector>
 

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Patches/InnerPatches.h"
 
-#include "Core/Cells/FindContacts.h"
 #include "Core/Patches/CoonsPatch.h"
 #include "Core/Patches/CreasePatch.h"
+#include "Core/Patches/RemoveTouching.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace orthoslices
 {
@@ -42,80 +43,53 @@ void InnerPatches::Add(const InnerPatches& others, Index patch)
 
 namespace
 {
-/// Cycles that are filled together: the parts do not depend on the number of threads.
+/// Cycles that are filled together, by one thread: how they are put together does not depend on the
+/// number of threads. Some hundred polygons make thousands of triangles: blocks are few, and there
+/// are many for each thread.
 constexpr std::size_t BlockSize = 256;
 
-class PatchFiller
+/// What filling a polygon takes, and the memory for it, reused from one polygon to the next.
+struct Workshop
 {
-public:
-  PatchFiller(const CycleGeometry& geometry, const SurfaceNormals& normals,
-    const std::vector<double>& centralPoints, const std::vector<PatchMesh>& meshes,
-    const PatchOptions& options)
-    : Geometry(geometry)
-    , Normals(normals)
-    , CentralPoints(centralPoints)
-    , Meshes(meshes)
-    , Method(options.Method)
-    , Parts(std::max<Index>(1, static_cast<Index>(std::lround(0.5 / options.EdgeLength))))
-    , MeshOf(geometry.Cycles.Count(), -1)
+  Workshop(const PatchTables& tables, const PatchOptions& options)
+    : Tables(tables)
+    , Options(options)
+    , Smooth(tables.Geometry.Grid, ResolutionOf(tables.Geometry.Grid, options))
   {
-    const double spacing = MinMeanSpacing(geometry.Grid);
-    this->Resolution = { options.EdgeLength * spacing, options.ChordTolerance * spacing };
-    for (std::size_t i = 0; i < meshes.size(); ++i)
-    {
-      for (const Index cycle : meshes[i].Cycles)
-      {
-        this->MeshOf[cycle] = static_cast<Index>(i);
-      }
-    }
   }
 
-  InnerPatches Fill(std::size_t begin, std::size_t end) const;
-  /// The patches that touch others of their cell.
-  std::vector<Index> FindTouching(
-    const Index* first, const Index* last, const InnerPatches& patches) const;
-
-private:
-  Point3 CentralPoint(Index cycle) const
+  static PatchResolution ResolutionOf(const SpatialGrid& grid, const PatchOptions& options)
   {
-    const double* p = this->CentralPoints.data() + 3 * static_cast<std::size_t>(cycle);
-    return { p[0], p[1], p[2] };
+    const double spacing = MinMeanSpacing(grid);
+    return { options.EdgeLength * spacing, options.ChordTolerance * spacing };
   }
-  struct Workshop;
-  bool Build(Index cycle, Workshop& shop) const;
-  Index AddTo(CellTriangles& all, Index cycle, const InnerPatches& patches) const;
 
-  const CycleGeometry& Geometry;
-  const SurfaceNormals& Normals;
-  const std::vector<double>& CentralPoints;
-  const std::vector<PatchMesh>& Meshes;
-  PatchMethod Method;
-  Index Parts; ///< of the sides of Coons patches
-  PatchResolution Resolution;
-  std::vector<Index> MeshOf; ///< of each cycle, or -1
-};
-
-/// What filling a polygon takes, reused from one to the next.
-struct PatchFiller::Workshop
-{
+  const PatchTables& Tables;
+  const PatchOptions& Options;
+  Index Cycle = 0;    ///< the polygon to be filled
+  PatchBorder Border; ///< and its border, which starts where the order of contours does not matter
+  InnerPatch Patch;   ///< the result
   SmoothPatchBuilder Smooth;
-  PatchBorder Border;
-  InnerPatch Patch, Crease;
+  InnerPatch Crease;
 };
 
-bool PatchFiller::Build(Index cycle, Workshop& shop) const
+/**
+ * Builds the patch of one polygon: from shop.Cycle and shop.Border to shop.Patch. False if that is
+ * impossible. One function for each patch type; REQUIRES of it what InnerPatches.h says.
+ */
+using FillPolygon = bool (*)(Workshop& shop);
+
+/// The better one of a smooth surface and, if the border has corners, a crease.
+bool FillSmoothly(Workshop& shop)
 {
-  const SpatialGrid& grid = this->Geometry.Grid;
-  if (this->Method == PatchMethod::Coons)
-  {
-    return BuildCoonsPatch(grid, shop.Border, this->CentralPoint(cycle), this->Parts, shop.Patch);
-  }
+  const std::vector<std::uint8_t>& corners = shop.Tables.Normals.Corners;
   const bool smooth = shop.Smooth.Build(shop.Border, shop.Patch);
-  if (!HasCorner(shop.Border, this->Normals.Corners))
+  if (!HasCorner(shop.Border, corners))
   {
     return smooth;
   }
-  const double deviation = BuildCreasePatch(grid, shop.Border, this->Normals.Corners, shop.Crease);
+  const double deviation =
+    BuildCreasePatch(shop.Tables.Geometry.Grid, shop.Border, corners, shop.Crease);
   if (std::isfinite(deviation) && (!smooth || deviation < shop.Smooth.Deviation()))
   {
     std::swap(shop.Patch, shop.Crease);
@@ -124,22 +98,50 @@ bool PatchFiller::Build(Index cycle, Workshop& shop) const
   return smooth;
 }
 
-InnerPatches PatchFiller::Fill(std::size_t begin, std::size_t end) const
+/// The paper's quadrilaterals, bilinearly blended. Loops have none, as they have no node points.
+bool FillWithCoons(Workshop& shop)
+{
+  if (shop.Tables.Geometry.IsLoop(shop.Cycle))
+  {
+    return false;
+  }
+  const Index parts =
+    std::max<Index>(1, static_cast<Index>(std::lround(0.5 / shop.Options.EdgeLength)));
+  return BuildCoonsPatch(shop.Tables.Geometry.Grid, shop.Border,
+    shop.Tables.CentralPoint(shop.Cycle), parts, shop.Patch);
+}
+
+/// The function that builds patches of a type; none for fans, which need no points inside.
+FillPolygon FillerOf(PatchMethod method)
+{
+  switch (method)
+  {
+    case PatchMethod::Smooth:
+      return FillSmoothly;
+    case PatchMethod::Coons:
+      return FillWithCoons;
+    case PatchMethod::Fan:
+      break;
+  }
+  return nullptr;
+}
+
+/// Fills the polygons of a block that are no part of a mesh, as far as possible.
+InnerPatches FillBlock(FillPolygon fill, Workshop& shop, const std::vector<Index>& meshOf,
+  std::size_t begin, std::size_t end)
 {
   InnerPatches result;
-  Workshop shop{ { this->Geometry.Grid, this->Resolution }, {}, {}, {} };
   for (std::size_t i = begin; i < end; ++i)
   {
-    const Index cycle = static_cast<Index>(i);
-    if (this->MeshOf[cycle] >= 0 ||
-      (this->Method == PatchMethod::Coons && this->Geometry.IsLoop(cycle)))
+    shop.Cycle = static_cast<Index>(i);
+    if (meshOf[i] >= 0)
     {
       continue;
     }
-    shop.Border.Set(this->Geometry, this->Normals, cycle);
+    shop.Border.Set(shop.Tables.Geometry, shop.Tables.Normals, shop.Cycle);
     // Which point is the first one depends on the order of the contours; the patch does not.
     const Index first = shop.Border.Turn(), size = shop.Border.Count();
-    if (!this->Build(cycle, shop))
+    if (!fill(shop))
     {
       continue;
     }
@@ -150,137 +152,14 @@ InnerPatches PatchFiller::Fill(std::size_t begin, std::size_t end) const
         corner = corner >= 0 ? (corner + first) % size : corner;
       }
     }
-    result.Add(cycle, shop.Patch);
+    result.Add(shop.Cycle, shop.Patch);
   }
   return result;
 }
 
-/// The patch of a cycle, or the one of several cycles that this is the first of. Its number, or -1 if
-/// it is no inner one.
-Index PatchFiller::AddTo(CellTriangles& all, Index cycle, const InnerPatches& patches) const
+/// All patches of the blocks, in their order. Empties the blocks.
+InnerPatches PutTogether(std::vector<InnerPatches>& blocks)
 {
-  const auto number = std::lower_bound(patches.Cycle.begin(), patches.Cycle.end(), cycle);
-  if (number != patches.Cycle.end() && *number == cycle)
-  {
-    const std::size_t i = static_cast<std::size_t>(number - patches.Cycle.begin());
-    const std::int64_t* points = patches.PointOffsets.data() + i;
-    const std::int64_t* triangles = patches.TriangleOffsets.data() + i;
-    all.AddPatch(PatchKind::Fan, { cycle },
-      { patches.Points.data() + 3 * points[0], static_cast<std::size_t>(points[1] - points[0]),
-        patches.Corners.data() + 3 * triangles[0],
-        static_cast<std::size_t>(triangles[1] - triangles[0]) });
-    return static_cast<Index>(i);
-  }
-  const Index mesh = this->MeshOf[cycle];
-  if (mesh >= 0)
-  {
-    all.AddMesh(this->Meshes[mesh]);
-    // It is known by now not to touch itself.
-    all.Kinds.back() = PatchKind::Fan;
-  }
-  else
-  {
-    all.AddFan(cycle, this->CentralPoint(cycle));
-  }
-  return -1;
-}
-
-std::vector<Index> PatchFiller::FindTouching(
-  const Index* first, const Index* last, const InnerPatches& patches) const
-{
-  CellTriangles all(this->Geometry);
-  std::vector<Index> inner; // of each patch of the cell, its number, or -1
-  for (const Index* cycle = first; cycle != last; ++cycle)
-  {
-    const Index mesh = this->MeshOf[*cycle];
-    if (mesh < 0 || this->Meshes[mesh].Cycles.front() == *cycle)
-    {
-      inner.push_back(this->AddTo(all, *cycle, patches));
-    }
-  }
-  std::vector<Index> touching;
-  for (const auto& contact : FindContacts(all))
-  {
-    for (const Index patch : { contact.first, contact.second })
-    {
-      if (inner[patch] >= 0)
-      {
-        touching.push_back(inner[patch]);
-      }
-    }
-  }
-  return touching;
-}
-
-/// Takes out patches until none touches another of its cell. The fans that take their place do not.
-InnerPatches TakeOutTouching(const CellGroups& cells, const PatchFiller& filler,
-  InnerPatches&& patches, const Execution& execution)
-{
-  InnerPatches result = std::move(patches);
-  std::vector<std::pair<Index, Index>> ranges = cells.Several;
-  while (!ranges.empty())
-  {
-    std::vector<std::vector<Index>> touching(ranges.size());
-    execution.For(ranges.size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        const Index* cycles = cells.Cycles.data();
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          touching[i] =
-            filler.FindTouching(cycles + ranges[i].first, cycles + ranges[i].second, result);
-        }
-      });
-    std::vector<std::pair<Index, Index>> again;
-    std::vector<std::uint8_t> isOut(result.Cycle.size(), 0);
-    for (std::size_t i = 0; i < ranges.size(); ++i)
-    {
-      for (const Index patch : touching[i])
-      {
-        isOut[patch] = 1;
-      }
-      if (!touching[i].empty())
-      {
-        again.push_back(ranges[i]);
-      }
-    }
-    if (!again.empty())
-    {
-      InnerPatches others;
-      for (Index i = 0; i < result.Count(); ++i)
-      {
-        if (isOut[i] == 0)
-        {
-          others.Add(result, i);
-        }
-      }
-      result = std::move(others);
-    }
-    ranges = std::move(again);
-  }
-  return result;
-}
-}
-
-InnerPatches BuildInnerPatches(const CycleGeometry& geometry, const CellGroups& cells,
-  const SurfaceNormals& normals, const std::vector<double>& centralPoints,
-  const std::vector<PatchMesh>& meshes, const PatchOptions& options, const Execution& execution)
-{
-  if (options.Method == PatchMethod::Fan)
-  {
-    return {};
-  }
-  const PatchFiller filler(geometry, normals, centralPoints, meshes, options);
-  const std::size_t count = static_cast<std::size_t>(geometry.Cycles.Count());
-  std::vector<InnerPatches> blocks((count + BlockSize - 1) / BlockSize);
-  execution.For(blocks.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        blocks[i] = filler.Fill(i * BlockSize, std::min(count, (i + 1) * BlockSize));
-      }
-    });
   InnerPatches result;
   std::size_t points = 0, corners = 0, patches = 0;
   for (const InnerPatches& block : blocks)
@@ -301,6 +180,44 @@ InnerPatches BuildInnerPatches(const CycleGeometry& geometry, const CellGroups& 
     }
     block = {};
   }
-  return TakeOutTouching(cells, filler, std::move(result), execution);
+  return result;
+}
+}
+
+bool NeedsNormals(PatchMethod method) { return method != PatchMethod::Fan; }
+
+bool GivesNormals(PatchMethod method) { return method == PatchMethod::Smooth; }
+
+InnerPatches BuildInnerPatches(
+  const PatchTables& tables, const PatchOptions& options, const Execution& execution)
+{
+  const FillPolygon fill = FillerOf(options.Method);
+  if (fill == nullptr)
+  {
+    return {};
+  }
+  const std::size_t count = static_cast<std::size_t>(tables.Geometry.Cycles.Count());
+  std::vector<Index> meshOf(count, -1);
+  for (std::size_t i = 0; i < tables.Meshes.size(); ++i)
+  {
+    for (const Index cycle : tables.Meshes[i].Cycles)
+    {
+      meshOf[cycle] = static_cast<Index>(i);
+    }
+  }
+  std::vector<InnerPatches> blocks((count + BlockSize - 1) / BlockSize);
+  execution.For(blocks.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      Workshop shop(tables, options);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        blocks[i] =
+          FillBlock(fill, shop, meshOf, i * BlockSize, std::min(count, (i + 1) * BlockSize));
+      }
+    });
+  InnerPatches patches = PutTogether(blocks);
+  RemoveTouching(tables, meshOf, execution, patches);
+  return patches;
 }
 }

@@ -4,19 +4,48 @@
 #define OrthoSlicesInnerPatches_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Cells/PatchMesh.h"
 #include "Core/Patches/SmoothPatch.h"
 
 #include <vector>
 
 namespace orthoslices
 {
-/// How spatial polygons are filled (the paper's section 5 leaves it open).
+/**
+ * How spatial polygons are filled (the paper's section 5 leaves it open).
+ *
+ * A new type of patch takes
+ *   1. a value here (at the end: the numbers are those of the filter's property), and the answers of
+ *      NeedsNormals and GivesNormals for it;
+ *   2. a function in InnerPatches.cxx that builds the patch of one polygon, from its border to an
+ *      InnerPatch, and its name in FillerOf there;
+ *   3. its name among the values of the property in the filter's header and the plugin's panel.
+ *
+ * The function guarantees, whenever it returns true:
+ *   - The triangles are a disc whose border is the polygon's, each side of it passed once in its
+ *     direction, so that they run counter-clockwise seen from outside.
+ *   - There is a point inside at least, all are in use, rounded by PatchBorder::MoveInside and so
+ *     strictly inside the cell; each has a unit normal, or zero where the triangles say more.
+ *   - No side of a triangle but those of the border lies on a face of the cell.
+ *   - The patch does not touch itself. PatchView::SeesAll proves that.
+ *   - The result depends on the border alone, not on the polygons that were filled before.
+ * Where it cannot, it returns false: then the polygon is a fan around its central point, which has
+ * all of this. Patches of one cell that touch each other are found and taken out afterwards
+ * (RemoveTouching).
+ */
 enum class PatchMethod
 {
   Smooth, ///< see SmoothPatchBuilder and BuildCreasePatch
   Fan,    ///< the paper's quadrilaterals, each a fan around the central point
   Coons   ///< the paper's quadrilaterals, bilinearly blended: see BuildCoonsPatch
 };
+
+/// Whether patches of a type are made from the surface's normals, so that these must be estimated.
+bool NeedsNormals(PatchMethod method);
+
+/// Whether patches of a type are smooth: then the normals of their points, and those of the surface
+/// along the contours, say more than those of the triangles.
+bool GivesNormals(PatchMethod method);
 
 struct PatchOptions
 {
@@ -49,16 +78,31 @@ struct InnerPatches
   }
 };
 
+/// What patches are made from: the polygons of all cells, and what is known of the surface there.
+struct PatchTables
+{
+  const CycleGeometry& Geometry;
+  const CellGroups& Cells;
+  const SurfaceNormals& Normals;            ///< may be empty for types that do not need them
+  const std::vector<double>& CentralPoints; ///< x, y, z of each cycle
+  const std::vector<PatchMesh>& Meshes;     ///< the patches of shells and of several cycles
+
+  Point3 CentralPoint(Index cycle) const
+  {
+    const double* p = this->CentralPoints.data() + 3 * static_cast<std::size_t>(cycle);
+    return { p[0], p[1], p[2] };
+  }
+};
+
 /**
- * Fills the cycles that `meshes` has no patch for. Of borders with corners, those for which that
- * explains more get a crease, and the others a smooth patch. Cycles that cannot be filled as asked
- * for, and loops with Coons, get none: they stay fans around their central point. So do those whose
- * patch would touch another one of its cell, as their fans do not. Coons patches have
- * 0.5 / EdgeLength parts along each side.
+ * Fills the cycles that are in no mesh. Of borders with corners, those for which that explains more
+ * get a crease, and the others a smooth patch. Cycles that cannot be filled as asked for, and loops
+ * with Coons, get none: they stay fans around their central point. So do those whose patch would
+ * touch another one of its cell, as their fans do not. Coons patches have 0.5 / EdgeLength parts
+ * along each side.
  */
-InnerPatches BuildInnerPatches(const CycleGeometry& geometry, const CellGroups& cells,
-  const SurfaceNormals& normals, const std::vector<double>& centralPoints,
-  const std::vector<PatchMesh>& meshes, const PatchOptions& options, const Execution& execution);
+InnerPatches BuildInnerPatches(
+  const PatchTables& tables, const PatchOptions& options, const Execution& execution);
 }
 
 #endif

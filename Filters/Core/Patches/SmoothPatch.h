@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesSmoothPatch_h
 #define OrthoSlicesSmoothPatch_h
 
-#include "Core/Patches/PatchBorder.h"
+#include "Core/Patches/PatchView.h"
 #include "Core/Patches/SmoothSurface.h"
 #include "Core/Planar/DiscTriangulation.h"
 

@@ -7,6 +7,8 @@
 #include "Support/CheckPatch.h"
 #include "Support/CheckSurface.h"
 #include "Support/RandomInput.h"
+#include "Support/ReconstructionMesh.h"
+#include "Support/SelfIntersections.h"
 #include "Support/SliceSolid.h"
 
 #include <gtest/gtest.h>

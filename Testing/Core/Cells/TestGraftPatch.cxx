@@ -6,6 +6,7 @@
 #include "Core/Reconstruct.h"
 #include "Support/CheckEmbedding.h"
 #include "Support/CheckPatch.h"
+#include "Support/SelfIntersections.h"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 #include "Support/CheckPatch.h"
 #include "Support/Random.h"
 #include "Support/RandomInput.h"
+#include "Support/SelfIntersections.h"
 
 #include <gtest/gtest.h>
 

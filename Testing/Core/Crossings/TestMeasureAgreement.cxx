@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Crossings/MeasureAgreement.h"
 
-#include "Core/Patches/CentralPoints.h"
+#include "Core/Crossings/NodeNormals.h"
 #include "Support/Perturbations.h"
 #include "Support/SliceSolid.h"
 #include "Support/Stages.h"

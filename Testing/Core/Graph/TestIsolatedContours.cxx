@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Graph/EmbedIsolated.h"
 #include "Core/Graph/IsolatedContours.h"
 
 #include "Support/CheckEmbedding.h"
@@ -249,7 +250,7 @@ TEST(IsolatedContours, OneThatTouchesAnArcIsLeftOut)
 //----------------------------------------------------------------------------
 TEST(IsolatedContours, OfTwoThatCoincideOneIsLeftOut)
 {
-  const LoopStages stages("z=0: 0,0 2,0 2,2 0,2\nz=0: 0,0 2,0 2,2 0,2\nz=1: 0,0 1,0 1,1");
+  const LoopStages stages("z=0: 0,0 2,0 2,2 0,2\nz=0: 0,0 1,0 2,0 2,2 0,2\nz=1: 0,0 1,0 1,1");
   ASSERT_EQ(stages.Copies.Count(), 3);
   ExpectSound(stages);
   EXPECT_GE(stages.Graph.Loops.size(), 2u);

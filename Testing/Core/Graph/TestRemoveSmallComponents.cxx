@@ -6,6 +6,7 @@
 #include "Support/CheckEmbedding.h"
 #include "Support/CheckSurface.h"
 #include "Support/RandomInput.h"
+#include "Support/ReconstructionMesh.h"
 #include "Support/SliceSolid.h"
 
 #include <gtest/gtest.h>

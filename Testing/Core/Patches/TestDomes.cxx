@@ -5,6 +5,7 @@
 #include "Core/Base/Vectors.h"
 #include "Core/Patches/Domes.h"
 #include "Support/CheckSurface.h"
+#include "Support/ReconstructionMesh.h"
 #include "Support/SliceSolid.h"
 #include "Support/TextContours.h"
 

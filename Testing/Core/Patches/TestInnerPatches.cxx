@@ -40,7 +40,8 @@ struct Borders
   InnerPatches Build(const PatchOptions& options, const std::vector<PatchMesh>& meshes = {},
     const Execution& execution = Execution()) const
   {
-    return BuildInnerPatches(Geometry, Cells, Normals, CentralPoints, meshes, options, execution);
+    return BuildInnerPatches(
+      { Geometry, Cells, Normals, CentralPoints, meshes }, options, execution);
   }
 
   CycleGeometry Geometry;

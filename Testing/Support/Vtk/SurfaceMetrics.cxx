@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SurfaceMetrics.h"
+#include "Support/Vtk/SurfaceMetrics.h"
 
-#include "NearestTriangle.h"
+#include "Support/NearestTriangle.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

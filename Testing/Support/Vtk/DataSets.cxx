@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Support/DataSets.h"
+#include "Support/Vtk/DataSets.h"
 
 #include "vtkIdList.h"
 #include "vtkNew.h"

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Crossings/SnipEdges.h"
+
+#include "Core/Crossings/MatchAlternating.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthoslices
+{
+namespace
+{
+/// Matches the crossings on every edge of M, and takes out those that stay unmatched.
+class EdgeSnipper
+{
+public:
+  EdgeSnipper(const CrossingTables& tables, int background, std::vector<Repair>& repairs)
+    : Tables(tables)
+    , Background(background)
+    , Repairs(repairs)
+  {
+  }
+
+  Index Run();
+
+private:
+  void MatchEdge(Index edge, int label);
+  std::vector<Index> Alternate(Index begin, Index end, int label);
+  void SnipUnmatched(const std::vector<Index>& list, const std::vector<std::uint8_t>& matched);
+  bool IsInserted(Index crossing) const;
+  void ReportSnip(Index a, Index b);
+  void Snip(Index a, Index b);
+  void JoinArcs(Index incoming, Index outgoing);
+  void AddIsolated(Index firstRun);
+
+  CrossingTables Tables;
+  int Background;
+  std::vector<Repair>& Repairs;
+  Index SnippedEdges = 0;
+};
+
+/**
+ * The crossings of one family on an edge in alternating order, from the label at the edge's lower
+ * end. They already alternate unless contours touch or cross, or a loop was inserted; then rising
+ * and falling ones are interleaved, each in their order, and positions are made ascending again.
+ */
+std::vector<Index> EdgeSnipper::Alternate(Index begin, Index end, int label)
+{
+  std::vector<Index> list(
+    this->Tables.Edges.Crossing.begin() + begin, this->Tables.Edges.Crossing.begin() + end);
+  int expected = label == 0 ? 1 : -1;
+  bool alternates = true;
+  for (const Index c : list)
+  {
+    alternates &= this->Tables.Crossings.Sign(c) == expected;
+    expected = -expected;
+  }
+  if (alternates)
+  {
+    return list;
+  }
+  std::vector<Index> rising, falling;
+  for (const Index c : list)
+  {
+    (this->Tables.Crossings.Sign(c) > 0 ? rising : falling).push_back(c);
+  }
+  bool rises = label == 0;
+  auto rise = rising.begin();
+  auto fall = falling.begin();
+  double position = this->Tables.Crossings.Position[list.front()];
+  for (Index& c : list)
+  {
+    c = rises ? *rise++ : *fall++;
+    rises = !rises;
+    position = std::max(position, this->Tables.Crossings.Position[c]);
+    this->Tables.Crossings.Position[c] = position;
+  }
+  return list;
+}
+
+void EdgeSnipper::JoinArcs(Index incoming, Index outgoing)
+{
+  const Index arc = this->Tables.Crossings.Previous[incoming];
+  if (arc == outgoing)
+  {
+    this->AddIsolated(outgoing);
+    return;
+  }
+  this->Tables.Crossings.RunNext[this->Tables.Crossings.ArcLastRun[arc]] = outgoing;
+  this->Tables.Crossings.ArcLastRun[arc] = this->Tables.Crossings.ArcLastRun[outgoing];
+  this->Tables.Crossings.Next[arc] = this->Tables.Crossings.Next[outgoing];
+  this->Tables.Crossings.Previous[this->Tables.Crossings.Next[outgoing]] = arc;
+}
+
+void EdgeSnipper::AddIsolated(Index firstRun)
+{
+  Index vertices = 0;
+  for (Index run = firstRun; run != GridCrossings::None; run = this->Tables.Crossings.RunNext[run])
+  {
+    vertices += this->Tables.Crossings.RunCount[run];
+  }
+  if (vertices >= 3)
+  {
+    this->Tables.Isolated.push_back({ firstRun, GridCrossings::None });
+  }
+}
+
+/// Whether a crossing belongs to a loop around a vertex, which is reported there.
+bool EdgeSnipper::IsInserted(Index crossing) const
+{
+  return this->Tables.Crossings.RunContour[crossing] == GridCrossings::None;
+}
+
+void EdgeSnipper::ReportSnip(Index a, Index b)
+{
+  const double from = this->Tables.Crossings.Position[a];
+  const double to = this->Tables.Crossings.Position[b];
+  const GridEdge edge = this->Tables.Code.Decode(this->Tables.Crossings.Edge[a]);
+  const bool first = this->Tables.Crossings.Family[a] == 0;
+  this->Repairs.push_back(
+    { RepairKind::CrossingsSnipped, first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction),
+      first ? edge.First : edge.Second,
+      CrossingPoint(this->Tables.Grid, this->Tables.Code, this->Tables.Crossings.Edge[a],
+        from + 0.5 * (to - from)),
+      std::abs(to - from) });
+}
+
+/// On each side of the crossed plane, the arc that ends at one of the two goes on from the other.
+void EdgeSnipper::Snip(Index a, Index b)
+{
+  if (!this->IsInserted(a) || !this->IsInserted(b))
+  {
+    this->ReportSnip(a, b);
+  }
+  this->JoinArcs(a, b);
+  this->JoinArcs(b, a);
+  this->Tables.Crossings.Next[a] = GridCrossings::Removed;
+  this->Tables.Crossings.Next[b] = GridCrossings::Removed;
+}
+
+void EdgeSnipper::SnipUnmatched(
+  const std::vector<Index>& list, const std::vector<std::uint8_t>& matched)
+{
+  // Unmatched entries between two matched ones are even in number: neighbours go together.
+  for (std::size_t i = 0; i + 1 < list.size(); ++i)
+  {
+    if (!matched[i])
+    {
+      this->Snip(list[i], list[i + 1]);
+      ++i;
+    }
+  }
+}
+
+void EdgeSnipper::MatchEdge(Index edge, int label)
+{
+  const Index begin = this->Tables.Edges.Offsets[edge];
+  const Index end = this->Tables.Edges.Offsets[edge + 1];
+  Index middle = begin;
+  while (middle < end && this->Tables.Crossings.Family[this->Tables.Edges.Crossing[middle]] == 0)
+  {
+    ++middle;
+  }
+  if (middle - begin == 1 && end - middle == 1)
+  {
+    return;
+  }
+  const std::vector<Index> lists[2] = { this->Alternate(begin, middle, label),
+    this->Alternate(middle, end, label) };
+  std::copy(lists[0].begin(), lists[0].end(), this->Tables.Edges.Crossing.begin() + begin);
+  std::copy(lists[1].begin(), lists[1].end(), this->Tables.Edges.Crossing.begin() + middle);
+  std::vector<double> positions[2];
+  std::vector<std::uint8_t> matched[2];
+  for (int family = 0; family < 2; ++family)
+  {
+    for (const Index c : lists[family])
+    {
+      positions[family].push_back(this->Tables.Crossings.Position[c]);
+    }
+    matched[family].assign(lists[family].size(), 0);
+  }
+  std::vector<std::pair<Index, Index>> pairs;
+  MatchAlternating(positions[0], positions[1], pairs);
+  for (const auto& pair : pairs)
+  {
+    matched[0][pair.first] = 1;
+    matched[1][pair.second] = 1;
+  }
+  if (2 * pairs.size() < static_cast<std::size_t>(end - begin))
+  {
+    const std::size_t reported = this->Repairs.size();
+    this->SnipUnmatched(lists[0], matched[0]);
+    this->SnipUnmatched(lists[1], matched[1]);
+    this->SnippedEdges += this->Repairs.size() > reported ? 1 : 0;
+  }
+}
+
+/// Follows the label, which is now the same for both families, along every grid line.
+Index EdgeSnipper::Run()
+{
+  GridEdge previous{ -1, 0, 0, 0 };
+  int label = 0;
+  for (Index e = 0; e < this->Tables.Edges.Count(); ++e)
+  {
+    const GridEdge edge = this->Tables.EdgeOf(e);
+    const int change = this->Tables.SignSum(e, 0);
+    label = OnSameLine(edge, previous) ? label : this->Background;
+    this->MatchEdge(e, label);
+    label += change;
+    previous = edge;
+  }
+  return this->SnippedEdges;
+}
+}
+
+Index SnipEdges(const CrossingTables& tables, int background, std::vector<Repair>& repairs)
+{
+  return EdgeSnipper(tables, background, repairs).Run();
+}
+}

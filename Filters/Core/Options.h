@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesOptions_h
+#define OrthoSlicesOptions_h
+
+#include "Core/Cells/ChooseJoins.h"
+#include "Core/Correspondence/FindCorrespondences.h"
+#include "Core/Crossings/ReconcileSlices.h"
+#include "Core/Patches/CentralPoints.h"
+#include "Core/Patches/InnerPatches.h"
+#include "Core/Slices/OrientContours.h"
+
+namespace orthoslices
+{
+/// What happens to contours that cross themselves or another one of their slice.
+enum class CrossingContours
+{
+  Repair,  ///< kept; EmbedArcs takes their arcs apart where they cross
+  Refuse,  ///< no surface if there are any
+  LeaveOut ///< removed
+};
+
+struct Options
+{
+  double PlaneTolerance = 1e-5; ///< as a fraction of the diagonal of all contours
+  Orientation Orient = Orientation::ByNesting;
+  bool RefuseInvalid = true; ///< no surface if a contour is open, off its plane or not finite
+  CrossingContours Crossing = CrossingContours::Repair;
+  bool SinglePrecision = false; ///< the result will be stored as float
+  AxisWeights Weights{ 1.0, 1.0, 1.0 };
+  CentralPointMethod Central = CentralPointMethod::LeastSquares;
+  SeveralCycles Several = SeveralCycles::ByEvidence;
+  CorrespondenceCriterion Criterion =
+    CorrespondenceCriterion::ByEvidence; ///< with SeveralCycles::ByEvidence
+  PriorKnowledge Known;
+  PatchOptions Patching;
+  double Smoothing = 0.0;        ///< of contours, in mean plane spacings; see SmoothContours
+  double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
+  /// Smaller ones are left out, by the diagonal of their bounding box as a fraction of that of all
+  /// contours.
+  double MinIsolatedContour = 0.0;
+  double MinComponent = 0.0;
+};
+}
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesReconstruction_h
+#define OrthoSlicesReconstruction_h
+
+#include "Core/Base/Contours.h"
+#include "Core/Cells/UndecidedPlaces.h"
+#include "Core/Crossings/MeasureAgreement.h"
+#include "Core/Crossings/ReconcileSlices.h"
+#include "Core/Graph/CycleGeometry.h"
+#include "Core/Graph/IsolatedContours.h"
+#include "Core/Patches/EstimateNormals.h"
+#include "Core/Surface/LayOutTriangles.h"
+#include "Core/Surface/MeasureTopology.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/// What the contours of Contours are, without their vertices.
+struct ContourList
+{
+  std::vector<std::int8_t> Axis;
+  std::vector<Index> Plane;
+  std::vector<std::int64_t> Cell;
+};
+
+struct Reconstruction
+{
+  std::vector<Problem> Invalid;          ///< open, off their plane or not finite: left out
+  std::vector<Problem> CrossingProblems; ///< contours that cross themselves or others
+  bool InsideOut = false;                ///< the contours as drawn bound the outside
+  bool Refused = false; ///< because of these, see Options; nothing else is set then
+  std::array<Index, 3> ContourCount{ 0, 0, 0 }; ///< usable contours of each axis
+  bool Stopped = false;                         ///< Execution::Continue returned false
+
+  double Diagonal = 0.0; ///< of the bounding box of all contours
+  SpatialGrid Grid;
+  GridCrossings Crossings;
+  NodePoints Nodes;
+  NodeGraph Graph;
+  IsolatedContours Isolated;
+  CellCycles Cycles;
+  CellGroups Cells;
+  Index SharedCells = 0;        ///< cells with several cycles
+  Index DoubtfulCycles = 0;     ///< of cells so narrow that their patches may touch
+  std::vector<CycleJoin> Joins; ///< what the slices leave open, and what was chosen
+  SurfaceTopology Topology;
+  UndecidedPlaces Undecided;
+  Index SmallComponents = 0; ///< left out
+  SurfaceNormals Normals;    ///< of G; not for PatchMethod::Fan and Coons
+  Patches Surface;
+
+  /// The report: what the slices disagreed on, and what was done about it.
+  Reconciliation Reconciled;   ///< its repairs are moved to Repairs
+  std::vector<Repair> Repairs; ///< of all stages
+  SliceAgreement Agreement;
+  ContourList Members; ///< of Agreement.OfContour
+};
+
+CycleGeometry GeometryOf(const Reconstruction& result);
+
+/// Number of node points at which the two contours are farther apart than the tolerance.
+Index CountDisagreements(const Reconstruction& result, double tolerance);
+}
+
+#endif
