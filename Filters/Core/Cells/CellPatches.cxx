@@ -254,7 +254,8 @@ std::vector<std::pair<Index, Index>> CellPatches::Test()
   {
     this->Apart.Numbers.push_back(piece.Mesh);
   }
-  std::vector<std::pair<Index, Index>> contacts = FindContacts(cell, &this->Apart);
+  std::vector<std::pair<Index, Index>> contacts =
+    FindContacts(cell.Triangles, cell.Kinds, &this->Apart);
   for (std::size_t i = 0; i < this->Pieces.size(); ++i)
   {
     const CellPiece& piece = this->Pieces[i];

@@ -238,8 +238,9 @@ std::vector<std::pair<Index, Index>> ContactSweep::Run(std::vector<PatchTriangle
 }
 }
 
-std::vector<std::pair<Index, Index>> FindContacts(CellTriangles& cell, KnownApart* known)
+std::vector<std::pair<Index, Index>> FindContacts(
+  std::vector<PatchTriangle>& triangles, const std::vector<PatchKind>& kinds, KnownApart* known)
 {
-  return ContactSweep(cell.Kinds, known).Run(cell.Triangles);
+  return ContactSweep(kinds, known).Run(triangles);
 }
 }

@@ -75,7 +75,8 @@ struct KnownApart
  * that touch others it may be left out that they touch each other, too: both have to make room
  * anyway. Sorts the triangles along x and drops some. What is known to be apart is not tested again.
  */
-std::vector<std::pair<Index, Index>> FindContacts(CellTriangles& cell, KnownApart* known = nullptr);
+std::vector<std::pair<Index, Index>> FindContacts(std::vector<PatchTriangle>& triangles,
+  const std::vector<PatchKind>& kinds, KnownApart* known = nullptr);
 }
 
 #endif
