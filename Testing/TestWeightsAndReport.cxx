@@ -9,10 +9,10 @@
  */
 
 #include "Support/CheckSurface.h"
-#include "Support/Vtk/DataSets.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/SliceSolid.h"
+#include "Support/Vtk/DataSets.h"
 #include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkCellData.h"
@@ -565,7 +565,7 @@ const std::string CubeWithoutLid = "x=1: 0.5,0.5 2.5,0.5 2.5,2.5 0.5,2.5\n"
                                    "z=1: 0.5,0.5 2.5,0.5 2.5,2.5 0.5,2.5\n";
 }
 
-TEST(Report, NamesTheSliceThatWasOverruled)
+TEST(ReportOfFilter, NamesTheSliceThatWasOverruled)
 {
   // The slice z = 2 is drawn in the wrong place.
   FilterRun run(ParsePieces(CubeWithoutLid + "z=2: 5,5 7,5 7,7 5,7"));
@@ -586,7 +586,7 @@ TEST(Report, NamesTheSliceThatWasOverruled)
 }
 
 //----------------------------------------------------------------------------
-TEST(Report, CountsSnippedCrossingsAboveTheTolerance)
+TEST(ReportOfFilter, CountsSnippedCrossingsAboveTheTolerance)
 {
   // Between y = 1.2 and 1.4 the slice z = 2 does not reach as far as x = 2; the slice x = 2 does not
   // know.
@@ -614,7 +614,7 @@ TEST(Report, CountsSnippedCrossingsAboveTheTolerance)
 }
 
 //----------------------------------------------------------------------------
-TEST(Report, SaysThatContoursAsDrawnBoundTheOutside)
+TEST(ReportOfFilter, SaysThatContoursAsDrawnBoundTheOutside)
 {
   FilterRun run(ParsePieces("x=0: -1,-1 -1,1 1,1 1,-1; y=0: -1,-1 -1,1 1,1 1,-1\n"
                             "z=0: -1,-1 -1,1 1,1 1,-1"));
@@ -624,4 +624,71 @@ TEST(Report, SaysThatContoursAsDrawnBoundTheOutside)
   EXPECT_GT(run.Update()->GetNumberOfCells(), 0);
   ASSERT_EQ(run.Warnings.size(), 1u);
   EXPECT_TRUE(Contains(run.Warnings[0], "inside out")) << run.Warnings[0];
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// What the filter says about a shape of Data in three families of slices.
+std::vector<std::string> WarningsOn(const std::string& name, int planes, FilterRun& run)
+{
+  run.SetInputs(ReadPieceSets({ name, 0, 0, true }, planes));
+  run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  return run.Warnings;
+}
+
+/// Whether the surface of the last run has the topology that a shape is known to have.
+bool IsRight(const DataSet& data, FilterRun& run)
+{
+  vtkPolyData* surface = run.Filter->GetOutput();
+  return FieldValue(surface, "NumberOfComponents") == data.Components &&
+    FieldValue(surface, "TotalGenus") == data.Genus;
+}
+}
+
+/// Although up to 84 places are undecided, of which the table tells.
+TEST(ReportOfFilter, SaysNothingAboutShapesThatComeOutRight)
+{
+  int right = 0;
+  for (const DataSet& data : AllDataSets())
+  {
+    for (const int planes : { 16, 32 })
+    {
+      if (!data.Consistent)
+      {
+        continue;
+      }
+      SCOPED_TRACE(data.Name + " " + std::to_string(planes));
+      FilterRun run;
+      const auto warnings = WarningsOn(data.Name, planes, run);
+      EXPECT_GT(run.Filter->GetUndecidedTable()->GetNumberOfRows(), 0);
+      if (IsRight(data, run))
+      {
+        ++right;
+        EXPECT_TRUE(warnings.empty()) << warnings.front();
+      }
+      else
+      {
+        ASSERT_EQ(warnings.size(), 1u);
+        EXPECT_TRUE(Contains(warnings[0], "places the slices hardly say")) << warnings[0];
+        EXPECT_TRUE(Contains(warnings[0], "would settle")) << warnings[0];
+        EXPECT_FALSE(Contains(warnings[0], "contradict")) << warnings[0];
+      }
+    }
+  }
+  EXPECT_GE(right, 10);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReportOfFilter, SaysNothingOfOneFamilyWhoseContoursOverlap)
+{
+  FilterRun run;
+  run.SetInputs(PieceSets{ Pieces(), Pieces(), ReadPieceSets({ "heart", 1, 1, true }, 32)[2] });
+  run.Filter->SetInputConnection(0, nullptr);
+  run.Filter->SetInputConnection(1, nullptr);
+  run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  EXPECT_GT(run.Filter->GetUndecidedTable()->GetNumberOfRows(), 50);
+  EXPECT_TRUE(run.Warnings.empty());
 }

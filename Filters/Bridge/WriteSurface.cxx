@@ -177,7 +177,7 @@ std::vector<unsigned char> FindRepairs(const Reconstruction& result, double tole
   {
     for (const Index cycle : mesh.Cycles)
     {
-      repairs[mesh.Cycles.front()] |= repairs[cycle] | (mesh.Kind == PatchKind::Shell ? 4 : 0);
+      repairs[mesh.Cycles.front()] |= repairs[cycle] | (mesh.IsSeparatedDisc() ? 4 : 0);
     }
   }
   return repairs;

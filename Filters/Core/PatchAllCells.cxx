@@ -184,7 +184,7 @@ void CellPatcher::PatchCells()
   if (this->Settings.Several == SeveralCycles::ByEvidence)
   {
     result.Joins =
-      FindJoins(geometry, result.Cells, this->NodeNormals, centralPoints, known, this->Execute);
+      FindJoins({ geometry, result.Cells, this->NodeNormals, centralPoints }, known, this->Execute);
     this->Finish(Stage::FindJoins);
   }
   this->SeparatePatches(known);

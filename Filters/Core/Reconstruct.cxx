@@ -3,16 +3,21 @@
 #include "Core/Reconstruct.h"
 
 #include "Core/Base/Box.h"
+#include "Core/CheckInvariants.h"
 #include "Core/Crossings/NodeNormals.h"
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/SimplifyArcs.h"
 #include "Core/PatchAllCells.h"
 #include "Core/Patches/Domes.h"
+#include "Core/Slabs/StitchSlabs.h"
 #include "Core/Slices/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
 
 namespace orthoslices
 {
@@ -62,7 +67,7 @@ std::vector<Repair> DescribeShells(const Reconstruction& result)
   std::vector<Repair> repairs;
   for (const PatchMesh& mesh : result.Surface.Meshes)
   {
-    if (mesh.Kind != PatchKind::Shell)
+    if (!mesh.IsSeparatedDisc())
     {
       continue;
     }
@@ -115,6 +120,14 @@ private:
 
 void StageRunner::Finish(Stage stage) const
 {
+#ifdef ORTHOGONAL_SLICES_CHECK_INVARIANTS
+  const std::string wrong = CheckInvariants(stage, this->Tables, this->Result);
+  if (!wrong.empty())
+  {
+    std::cerr << wrong << std::endl;
+    std::abort();
+  }
+#endif
   if (this->Observe)
   {
     this->Observe(stage, this->Tables, this->Result);

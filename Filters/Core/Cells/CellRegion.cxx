@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Cells/CellRegion.h"
 
+#include "Core/Base/Box.h"
+
 #include <algorithm>
 #include <numeric>
 

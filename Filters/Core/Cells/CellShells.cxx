@@ -296,7 +296,7 @@ void Compact(PatchMesh& shell)
 PatchMesh CellShells::BuildShell(const ShellGroup& group, double depth) const
 {
   PatchMesh shell;
-  shell.Kind = group.Region.Cycles.size() > 1 ? PatchKind::Joined : PatchKind::Shell;
+  shell.Kind = PatchKind::Shell;
   shell.Cycles = group.Region.Cycles;
   for (const Index point : group.Region.Border)
   {
@@ -362,6 +362,7 @@ std::vector<PatchMesh> CellShells::Run()
     if (!group.Possible)
     {
       shells.emplace_back();
+      shells.back().Kind = PatchKind::Shell;
       shells.back().Cycles = group.Region.Cycles;
       continue;
     }

@@ -10,14 +10,6 @@ namespace orthoslices
 {
 namespace
 {
-/// Least evidence for a join that makes a handle: handles are rare.
-constexpr double ForHandle = 0.3;
-/// A fragment, much smaller than the whole, needs less than 0 to be connected, unless both cycles
-/// are flat: it is more likely to be a piece of a thin part than a solid of its own. The lowering
-/// ends at fragments of this share of the size of all contours.
-constexpr double ForFragments = 2.5;
-constexpr double LargestFragment = 0.5;
-
 /// The components of the surface and its Euler characteristic, while joins are chosen.
 class Chooser
 {
@@ -109,7 +101,7 @@ double Chooser::EvidenceToConnect(const CycleJoin& join)
     smaller = std::min(smaller, this->Boxes[part].Diagonal());
   }
   const double share = this->Size > 0.0 ? smaller / this->Size : 1.0;
-  return -ForFragments * (1.0 - join.Flatness) * std::max(0.0, 1.0 - share / LargestFragment);
+  return -FragmentAllowance * (1.0 - join.Flatness) * std::max(0.0, 1.0 - share / LargestFragment);
 }
 
 /// Joins what is not connected yet.
@@ -131,8 +123,8 @@ void Chooser::AddHandles(const PriorKnowledge& known)
   for (CycleJoin* join : this->InOrder)
   {
     const Index genus = this->Components - this->Euler / 2;
-    const bool wanted =
-      known.Genus >= 0 ? genus < known.Genus : join->Evidence > ForHandle && !join->OnlyConnects;
+    const bool wanted = known.Genus >= 0 ? genus < known.Genus
+                                         : join->Evidence > HandleEvidence && !join->OnlyConnects;
     if (wanted && !join->Chosen && !this->IsRing(*join) && !this->Connects(*join))
     {
       this->Choose(*join);

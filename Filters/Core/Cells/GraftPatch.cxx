@@ -217,6 +217,7 @@ bool Grafter::Connect(Index first, Index second)
 
 PatchMesh Grafter::Take()
 {
+  this->Patch.Mesh.Kind = PatchKind::Grafted;
   this->Patch.Mesh.Triangles = this->Triangles[this->PartOf.front()];
   return std::move(this->Patch.Mesh);
 }

@@ -2,100 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Cells/JoinEvidence.h"
 
+#include "Core/Base/TriangleDistance.h"
 #include "Core/Base/Vectors.h"
+#include "Core/Cells/CycleShape.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace orthoslices
 {
 namespace
 {
-/// The weights of the evidence; see CycleJoin.
-constexpr double Constant = 2.8;
-constexpr double OfFlatness = -3.0;
-constexpr double OfSteepness = -4.0;
-constexpr double OfFacing = 2.0;
-constexpr double OfDistance = -2.0;
-constexpr double OfDisagreement = -8.0;
-/// Cycles that are much wider than their distance are parallel sheets: evidence for each part of
-/// the sum of their radii that is missing to this one.
-constexpr double OfCloseness = -4.0;
-constexpr double MinDistance = 0.45;
-/// A cycle around a tip that a slice just touches is no end of a wide one: evidence for each part of
-/// the wider radius that the other one lacks to this share.
-constexpr double OfUnequalRadii = -8.0;
-constexpr double MinRadius = 0.25;
-/// Of loops of which a criterion for parallel slices says that they belong together.
-constexpr double CertainEvidence = 3.0;
-/// Loops on one face are rather neighbours than ends of one tube: evidence, and by how many steps
-/// they count as farther apart.
-constexpr double ForOneFace = -2.0;
-constexpr double OnOneFace = 2.0;
-/// Evidence for the best way of an isolated contour to go on, if there is no distance to bridge.
-constexpr double ForContinuation = 1.5;
-/// Points of a loop at which its distance to a patch is measured.
+/// Points of a loop at which its distance to a patch is measured: the mean of so many differs little
+/// from that of all.
 constexpr Index MaxSamples = 16;
-
-/// Squared distance of a point to a triangle (C. Ericson, "Real-Time Collision Detection", 5.1.5).
-double SquaredDistance(const Point3& p, const Point3& a, const Point3& b, const Point3& c)
-{
-  const Point3 ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = Dot(ab, ap), d2 = Dot(ac, ap);
-  Point3 nearest = a;
-  const Point3 bp = p - b;
-  const double d3 = Dot(ab, bp), d4 = Dot(ac, bp);
-  const Point3 cp = p - c;
-  const double d5 = Dot(ab, cp), d6 = Dot(ac, cp);
-  const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
-  if (d1 <= 0.0 && d2 <= 0.0)
-  {
-    nearest = a;
-  }
-  else if (d3 >= 0.0 && d4 <= d3)
-  {
-    nearest = b;
-  }
-  else if (d6 >= 0.0 && d5 <= d6)
-  {
-    nearest = c;
-  }
-  else if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
-  {
-    nearest = a + (d1 / (d1 - d3)) * ab;
-  }
-  else if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
-  {
-    nearest = a + (d2 / (d2 - d6)) * ac;
-  }
-  else if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
-  {
-    nearest = b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
-  }
-  else if (va + vb + vc > 0.0)
-  {
-    const double scale = 1.0 / (va + vb + vc);
-    nearest = a + (vb * scale) * ab + (vc * scale) * ac;
-  }
-  const Point3 d = p - nearest;
-  return Dot(d, d);
-}
-
-/// What the evidence needs of one cycle.
-struct CycleShape
-{
-  Index Cycle;
-  bool Loop;
-  std::vector<Point3> Border;
-  Point3 Center;               ///< of the border
-  double Radius;               ///< root mean square distance of the border from it
-  Point3 Apex;                 ///< of the fan to which distances are measured
-  Point3 Area;                 ///< unit normal of the disc, outwards
-  double Flatness;             ///< see CycleJoin
-  double Disagreement;         ///< the greatest at its node points
-  std::vector<Point3> Normals; ///< unit, of the surface at the border
-  std::vector<double> Weights; ///< their sum is 1, or 0 without normals
-};
 
 /// A join, and how far each of its two cycles, if it is a loop, is from the patch of the other.
 struct Candidate
@@ -104,150 +25,61 @@ struct Candidate
   std::array<double, 2> Distance;
 };
 
-/// The joins of one cell.
-class CellJoins
+/// Measures the pairs of cycles of one cell after another.
+class PairMeter
 {
 public:
-  CellJoins(const CycleGeometry& geometry, const std::vector<double>& nodeNormals,
-    const std::vector<double>& centralPoints, const KnownPairs& known,
-    const std::vector<Index>& patchOf)
-    : Geometry(geometry)
-    , NodeNormals(nodeNormals)
-    , CentralPoints(centralPoints)
-    , Known(known)
-    , PatchOf(patchOf)
+  explicit PairMeter(const EvidenceTables& tables)
+    : Geometry(tables.Geometry)
+    , Describer(tables.Geometry, tables.NodeNormals, tables.CentralPoints)
   {
   }
 
-  std::vector<Candidate> Find(const Index* first, const Index* last);
+  /// Describes the cycles [first, last) of a cell.
+  void Start(const Index* first, const Index* last);
+  const std::vector<CycleShape>& AllShapes() const { return this->Shapes; }
+  /// False if the two cannot belong together.
+  bool Measure(const CycleShape& a, const CycleShape& b, PairFeatures& features) const;
+  double DistanceTo(const CycleShape& loop, const CycleShape& patch) const;
+  bool AreOnOneFace(Index a, Index b) const;
 
 private:
-  void FindSteps(const std::array<Index, 3>& cell);
-  CycleShape Describe(Index cycle);
-  void AddNormals(CycleShape& shape) const;
-  double DistanceTo(const CycleShape& loop, const CycleShape& patch) const;
-  bool IsKnown(Index a, Index b) const;
-  bool IsExcluded(const CycleShape& a, const CycleShape& b) const;
-  bool AreOnOneFace(Index a, Index b) const;
-  bool Compare(const CycleShape& a, const CycleShape& b, Candidate& candidate) const;
+  void FindStep(const std::array<Index, 3>& cell);
 
   const CycleGeometry& Geometry;
-  const std::vector<double>& NodeNormals;
-  const std::vector<double>& CentralPoints;
-  const KnownPairs& Known;
-  const std::vector<Index>& PatchOf; ///< of each cycle among Known.Patches
-  Point3 Steps;                      ///< of the spatial grid at this cell
-  double Step = 1.0;                 ///< their geometric mean
-  std::vector<Index> Points, NodePlaces;
+  CycleDescriber Describer;
+  std::vector<CycleShape> Shapes;
+  double Step = 1.0; ///< of the spatial grid at this cell: the geometric mean
 };
 
-/// The widths of the cell; mean widths where it is unbounded, the mean of the others where there
-/// are no planes.
-void CellJoins::FindSteps(const std::array<Index, 3>& cell)
+/// The mean of the cell's widths, or of mean widths where it is unbounded, without axes that have no
+/// planes.
+void PairMeter::FindStep(const std::array<Index, 3>& cell)
 {
   const SpatialGrid& grid = this->Geometry.Grid;
   double product = 1.0;
   int known = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Steps[axis] = grid.Count(axis) == 0 ? 0.0 : grid.Width(axis, cell[axis]);
-    product *= this->Steps[axis] > 0.0 ? this->Steps[axis] : 1.0;
-    known += this->Steps[axis] > 0.0 ? 1 : 0;
+    const double width = grid.Count(axis) == 0 ? 0.0 : grid.Width(axis, cell[axis]);
+    product *= width > 0.0 ? width : 1.0;
+    known += width > 0.0 ? 1 : 0;
   }
   this->Step = known > 0 ? std::pow(product, 1.0 / known) : 1.0;
-  for (double& step : this->Steps)
-  {
-    step = step > 0.0 ? step : this->Step;
-  }
 }
 
-/// Surface normals at the node points; for a loop, normals of the contour in its plane.
-void CellJoins::AddNormals(CycleShape& shape) const
+void PairMeter::Start(const Index* first, const Index* last)
 {
-  double total = 0.0;
-  const auto add = [&](const Point3& normal, double weight)
+  this->FindStep(this->Geometry.Cycles.Cell[*first]);
+  this->Shapes.clear();
+  for (const Index* cycle = first; cycle != last; ++cycle)
   {
-    shape.Normals.push_back(Unit(normal));
-    shape.Weights.push_back(weight);
-    total += weight;
-  };
-  if (shape.Loop)
-  {
-    Point3 up{ 0.0, 0.0, 0.0 };
-    up[this->Geometry.Graph.Loops[this->Geometry.LoopOf(shape.Cycle)].Axis] =
-      this->Geometry.FirstArc(shape.Cycle).Above ? 1.0 : -1.0;
-    for (std::size_t i = 0; i < shape.Border.size(); ++i)
-    {
-      const Point3 along = shape.Border[(i + 1) % shape.Border.size()] - shape.Border[i];
-      add(Cross(along, up), Length(along));
-    }
+    this->Shapes.push_back(this->Describer.Describe(*cycle));
   }
-  shape.Disagreement = 0.0;
-  for (const Index place : this->NodePlaces)
-  {
-    shape.Disagreement =
-      std::max(shape.Disagreement, this->Geometry.Nodes.Disagreement(this->Points[place]));
-    const double* n = this->NodeNormals.data() + 3 * static_cast<std::size_t>(this->Points[place]);
-    const Point3 normal{ n[0], n[1], n[2] };
-    if (Dot(normal, normal) > 0.0)
-    {
-      add(normal, 1.0);
-    }
-  }
-  for (double& weight : shape.Weights)
-  {
-    weight /= total > 0.0 ? total : 1.0;
-  }
-}
-
-CycleShape CellJoins::Describe(Index cycle)
-{
-  CycleShape shape;
-  shape.Cycle = cycle;
-  shape.Loop = this->Geometry.IsLoop(cycle);
-  this->Geometry.GetBoundary(cycle, this->Points, this->NodePlaces);
-  for (const Index point : this->Points)
-  {
-    shape.Border.push_back(this->Geometry.Graph.PointAt(point));
-  }
-  const Point3& origin = shape.Border.front();
-  CurveCenter center(origin);
-  Point3 area{ 0.0, 0.0, 0.0 };
-  for (std::size_t i = 0; i < shape.Border.size(); ++i)
-  {
-    const Point3& p = shape.Border[i];
-    const Point3& q = shape.Border[(i + 1) % shape.Border.size()];
-    center.Add(p, q);
-    area = area + Cross(p - origin, q - origin);
-  }
-  const double length = center.TotalLength();
-  shape.Center = center.Get();
-  shape.Area = Unit(area);
-  double square = 0.0;
-  for (std::size_t i = 0; i < shape.Border.size(); ++i)
-  {
-    const std::size_t before = i > 0 ? i - 1 : shape.Border.size() - 1;
-    const Point3 arm = shape.Border[i] - shape.Center;
-    square += 0.5 * Dot(arm, arm) *
-      (Length(shape.Border[i] - shape.Border[before]) +
-        Length(shape.Border[(i + 1) % shape.Border.size()] - shape.Border[i]));
-  }
-  shape.Radius = length > 0.0 ? std::sqrt(square / length) : 0.0;
-  const double* apex = this->CentralPoints.data() + 3 * static_cast<std::size_t>(cycle);
-  shape.Apex = shape.Loop ? shape.Center : Point3{ apex[0], apex[1], apex[2] };
-  this->AddNormals(shape);
-  // Contours that touch each other's planes without crossing them give no normals: then nothing
-  // speaks for a tube.
-  shape.Flatness = shape.Normals.empty() ? 1.0 : 0.0;
-  for (std::size_t i = 0; i < shape.Normals.size() && !shape.Loop; ++i)
-  {
-    shape.Flatness += shape.Weights[i] * Dot(shape.Normals[i], shape.Area);
-  }
-  return shape;
 }
 
 /// Mean distance of a loop to the fan of another cycle, in steps.
-double CellJoins::DistanceTo(const CycleShape& loop, const CycleShape& patch) const
+double PairMeter::DistanceTo(const CycleShape& loop, const CycleShape& patch) const
 {
   const Index count = static_cast<Index>(loop.Border.size());
   const Index samples = std::min(count, MaxSamples);
@@ -260,7 +92,7 @@ double CellJoins::DistanceTo(const CycleShape& loop, const CycleShape& patch) co
     for (std::size_t i = 0; i < patch.Border.size(); ++i)
     {
       minimum = std::min(minimum,
-        SquaredDistance(
+        SquaredDistanceToTriangle(
           p, patch.Apex, patch.Border[i], patch.Border[(i + 1) % patch.Border.size()]));
     }
     sum += std::sqrt(minimum);
@@ -269,15 +101,14 @@ double CellJoins::DistanceTo(const CycleShape& loop, const CycleShape& patch) co
 }
 
 /// Whether two loops of the cell lie on the same face of it.
-bool CellJoins::AreOnOneFace(Index a, Index b) const
+bool PairMeter::AreOnOneFace(Index a, Index b) const
 {
   const Face& first = this->Geometry.Graph.Loops[this->Geometry.LoopOf(a)];
   const Face& second = this->Geometry.Graph.Loops[this->Geometry.LoopOf(b)];
   return first.Axis == second.Axis && first.Plane == second.Plane;
 }
 
-/// False if the two cannot belong together.
-bool CellJoins::Compare(const CycleShape& a, const CycleShape& b, Candidate& candidate) const
+bool PairMeter::Measure(const CycleShape& a, const CycleShape& b, PairFeatures& features) const
 {
   const Point3 line = b.Center - a.Center;
   const Point3 direction = Unit(line);
@@ -288,42 +119,75 @@ bool CellJoins::Compare(const CycleShape& a, const CycleShape& b, Candidate& can
   {
     return false;
   }
-  double steepness = 0.0;
+  features = {};
   for (const CycleShape* shape : { &a, &b })
   {
     for (std::size_t i = 0; i < shape->Normals.size(); ++i)
     {
-      steepness += 0.5 * shape->Weights[i] * std::abs(Dot(shape->Normals[i], direction));
+      features.Steepness += 0.5 * shape->Weights[i] * std::abs(Dot(shape->Normals[i], direction));
     }
+  }
+  features.Flatness = 0.5 * (a.Flatness + b.Flatness);
+  features.Facing = (facing ? 1.0 : -1.0) * std::min(std::abs(facingA), std::abs(facingB));
+  features.Distance = Length(line);
+  features.Disagreement = std::max(a.Disagreement, b.Disagreement);
+  features.Step = this->Step;
+  const double radii = a.Radius + b.Radius;
+  if (radii > 0.0)
+  {
+    features.Closeness = std::max(0.0, MinDistance - Length(line) / radii);
+    if (!a.Loop && !b.Loop)
+    {
+      const auto range = std::minmax(a.Radius, b.Radius);
+      features.Inequality = std::max(0.0, MinRadius - range.first / range.second);
+    }
+  }
+  features.OnOneFace = a.Loop && b.Loop && this->AreOnOneFace(a.Cycle, b.Cycle);
+  features.Loops = (a.Loop ? 1 : 0) + (b.Loop ? 1 : 0);
+  return true;
+}
+
+/// The joins of one cell.
+class CellJoins
+{
+public:
+  CellJoins(
+    const EvidenceTables& tables, const KnownPairs& known, const std::vector<Index>& patchOf)
+    : Meter(tables)
+    , Known(known)
+    , PatchOf(patchOf)
+  {
+  }
+
+  std::vector<Candidate> Find(const Index* first, const Index* last);
+
+private:
+  bool IsKnown(Index a, Index b) const;
+  bool IsExcluded(const CycleShape& a, const CycleShape& b) const;
+  bool Compare(const CycleShape& a, const CycleShape& b, Candidate& candidate) const;
+  void AddCertain(Index patch, Index first, Index second, std::vector<Candidate>& found) const;
+
+  PairMeter Meter;
+  const KnownPairs& Known;
+  const std::vector<Index>& PatchOf; ///< of each cycle among Known.Patches, or -1
+};
+
+/// False if the two cannot belong together.
+bool CellJoins::Compare(const CycleShape& a, const CycleShape& b, Candidate& candidate) const
+{
+  PairFeatures features;
+  if (!this->Meter.Measure(a, b, features))
+  {
+    return false;
   }
   candidate.Join.Flatness = std::max(0.0, a.Flatness) * std::max(0.0, b.Flatness);
   candidate.Join.First = a.Cycle;
   candidate.Join.Second = b.Cycle;
-  candidate.Join.Evidence = Constant + OfFlatness * 0.5 * (a.Flatness + b.Flatness) +
-    OfSteepness * steepness +
-    OfFacing * (facing ? 1.0 : -1.0) * std::min(std::abs(facingA), std::abs(facingB)) +
-    (OfDistance * Length(line) + OfDisagreement * std::max(a.Disagreement, b.Disagreement)) /
-      this->Step;
-  const double radii = a.Radius + b.Radius;
-  if (radii > 0.0)
-  {
-    candidate.Join.Evidence += OfCloseness * std::max(0.0, MinDistance - Length(line) / radii);
-    if (!a.Loop && !b.Loop)
-    {
-      const auto range = std::minmax(a.Radius, b.Radius);
-      candidate.Join.Evidence +=
-        OfUnequalRadii * std::max(0.0, MinRadius - range.first / range.second);
-    }
-  }
-  double penalty = 0.0;
-  if (a.Loop && b.Loop && this->AreOnOneFace(a.Cycle, b.Cycle))
-  {
-    penalty = OnOneFace;
-    candidate.Join.Evidence += ForOneFace;
-  }
+  candidate.Join.Evidence = EvidenceOf(features);
   const double none = std::numeric_limits<double>::infinity();
-  candidate.Distance = { a.Loop ? this->DistanceTo(a, b) + penalty : none,
-    b.Loop ? this->DistanceTo(b, a) + penalty : none };
+  const double penalty = features.OnOneFace ? OneFaceDistance : 0.0;
+  candidate.Distance = { a.Loop ? this->Meter.DistanceTo(a, b) + penalty : none,
+    b.Loop ? this->Meter.DistanceTo(b, a) + penalty : none };
   return true;
 }
 
@@ -350,14 +214,28 @@ bool CellJoins::IsExcluded(const CycleShape& a, const CycleShape& b) const
   return this->Known.Exclusive && a.Loop && b.Loop;
 }
 
+/// Two cycles of a stitched patch. All of its cycles form one chain of joins.
+void CellJoins::AddCertain(
+  Index patch, Index first, Index second, std::vector<Candidate>& found) const
+{
+  const std::vector<Index>& chain = this->Known.Patches[patch].Cycles;
+  const auto at = std::lower_bound(chain.begin(), chain.end(), first);
+  if (*(at + 1) != second)
+  {
+    return;
+  }
+  found.push_back(Certain(first, second));
+  if (at == chain.begin())
+  {
+    const Index discs = 2 - static_cast<Index>(chain.size());
+    found.back().Join.Handles = (discs - EulerCharacteristic(this->Known.Patches[patch])) / 2;
+  }
+}
+
 std::vector<Candidate> CellJoins::Find(const Index* first, const Index* last)
 {
-  this->FindSteps(this->Geometry.Cycles.Cell[*first]);
-  std::vector<CycleShape> shapes;
-  for (const Index* cycle = first; cycle != last; ++cycle)
-  {
-    shapes.push_back(this->Describe(*cycle));
-  }
+  this->Meter.Start(first, last);
+  const std::vector<CycleShape>& shapes = this->Meter.AllShapes();
   std::vector<Candidate> found;
   for (std::size_t i = 0; i < shapes.size(); ++i)
   {
@@ -366,19 +244,7 @@ std::vector<Candidate> CellJoins::Find(const Index* first, const Index* last)
       const Index patch = this->PatchOf[shapes[i].Cycle];
       if (patch >= 0 && patch == this->PatchOf[shapes[j].Cycle])
       {
-        // One chain through the cycles of the patch.
-        const std::vector<Index>& chain = this->Known.Patches[patch].Cycles;
-        const auto at = std::lower_bound(chain.begin(), chain.end(), shapes[i].Cycle);
-        if (*(at + 1) == shapes[j].Cycle)
-        {
-          found.push_back(Certain(shapes[i].Cycle, shapes[j].Cycle));
-          if (at == chain.begin())
-          {
-            const Index discs = 2 - static_cast<Index>(chain.size());
-            found.back().Join.Handles =
-              (discs - EulerCharacteristic(this->Known.Patches[patch])) / 2;
-          }
-        }
+        this->AddCertain(patch, shapes[i].Cycle, shapes[j].Cycle, found);
         continue;
       }
       Candidate candidate;
@@ -432,16 +298,52 @@ void RateContinuations(const CycleGeometry& geometry, std::vector<Candidate>& ca
     {
       CycleJoin& join = b.At->Join;
       join.OnlyConnects |= parallel && join.Evidence <= 0.0;
-      join.Evidence = std::max(join.Evidence, ForContinuation - b.Distance);
+      join.Evidence = std::max(join.Evidence, ContinuationEvidence - b.Distance);
     }
   }
 }
 }
 
-std::vector<CycleJoin> FindJoins(const CycleGeometry& geometry, const CellGroups& cells,
-  const std::vector<double>& nodeNormals, const std::vector<double>& centralPoints,
-  const KnownPairs& known, const Execution& execution)
+double EvidenceOf(const PairFeatures& features, const EvidenceWeights& weights)
 {
+  double evidence = weights.Constant + weights.Flatness * features.Flatness +
+    weights.Steepness * features.Steepness + weights.Facing * features.Facing +
+    (weights.Distance * features.Distance + weights.Disagreement * features.Disagreement) /
+      features.Step;
+  evidence += weights.Closeness * features.Closeness;
+  evidence += weights.Inequality * features.Inequality;
+  return evidence + (features.OnOneFace ? weights.OnOneFace : 0.0);
+}
+
+std::vector<MeasuredPair> MeasurePairs(const EvidenceTables& tables)
+{
+  std::vector<MeasuredPair> pairs;
+  PairMeter meter(tables);
+  for (const auto& range : tables.Cells.Several)
+  {
+    const Index* cycles = tables.Cells.Cycles.data();
+    meter.Start(cycles + range.first, cycles + range.second);
+    const std::vector<CycleShape>& shapes = meter.AllShapes();
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+    {
+      for (std::size_t j = i + 1; j < shapes.size(); ++j)
+      {
+        MeasuredPair pair{ shapes[i].Cycle, shapes[j].Cycle, {} };
+        if (meter.Measure(shapes[i], shapes[j], pair.Features))
+        {
+          pairs.push_back(pair);
+        }
+      }
+    }
+  }
+  return pairs;
+}
+
+std::vector<CycleJoin> FindJoins(
+  const EvidenceTables& tables, const KnownPairs& known, const Execution& execution)
+{
+  const CycleGeometry& geometry = tables.Geometry;
+  const CellGroups& cells = tables.Cells;
   std::vector<Index> patchOf(geometry.Cycles.Count(), -1);
   for (std::size_t patch = 0; patch < known.Patches.size(); ++patch)
   {
@@ -454,7 +356,7 @@ std::vector<CycleJoin> FindJoins(const CycleGeometry& geometry, const CellGroups
   execution.For(found.size(),
     [&](std::size_t begin, std::size_t end)
     {
-      CellJoins cell(geometry, nodeNormals, centralPoints, known, patchOf);
+      CellJoins cell(tables, known, patchOf);
       for (std::size_t i = begin; i < end; ++i)
       {
         found[i] = cell.Find(cells.Cycles.data() + cells.Several[i].first,

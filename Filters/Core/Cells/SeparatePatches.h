@@ -10,6 +10,8 @@
 
 namespace orthoslices
 {
+class CellPatches;
+
 /// The patches that are no fans, ascending by their first cycle.
 struct SeparatedPatches
 {
@@ -45,13 +47,25 @@ public:
   /**
    * Builds the patches for the joins that are chosen; false if one of them was undone. Others may be
    * chosen then. When it is run again, only cells with other joins than before are built anew.
+   * REQUIRES: always the same list of joins, ascending by cell.
    */
   bool Run(const Execution& execution, std::vector<CycleJoin>& joins);
-  /// What was built last.
+
+  /// Cycles of the cells in which the patches that were built last may touch.
+  std::vector<Index> Unresolved() const;
+
+  /**
+   * Says that the borders or central points of these cycles have changed: the next run builds their
+   * cells anew, and no others, and the joins in them count as possible until it has tried them. So
+   * when arcs have been drawn anew because a cell was unresolved, the cells that share these arcs
+   * are all that is redone. The addresses and the cycles stay the same.
+   */
+  void Forget(const std::vector<Index>& cycles, std::vector<CycleJoin>& joins);
+
+  /// What was built last. Moves it out: the next run builds all cells anew.
   SeparatedPatches Take();
 
 private:
-  class CellPatches;
   void ListCells(const std::vector<CycleJoin>& joins);
 
   const CycleGeometry& Geometry;

@@ -11,9 +11,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Evidence up to which a place is undecided, for or against: less than 95 % certain.
-constexpr double WeakEvidence = 3.0;
-/// Of a place where the slices speak for a join that cannot be made: nothing is known of it.
+/// Bits of uncertainty of a place where the slices speak for a join that cannot be made: nothing is
+/// known of it.
 constexpr double OfImpossible = 1.0;
 
 /// Where an interval begins, or ends with negative uncertainty.
@@ -230,7 +229,7 @@ UndecidedPlaces Proposer::Run(const std::vector<CycleJoin>& joins, Index maxPlan
 {
   for (const CycleJoin& join : joins)
   {
-    if (join.Impossible || std::abs(join.Evidence) < WeakEvidence)
+    if (join.Impossible || std::abs(join.Evidence) < DecisiveEvidence)
     {
       this->AddPlace(join);
     }

@@ -59,13 +59,17 @@ struct UndecidedPlaces
  */
 double UncertaintyOf(double evidence);
 
+/// Evidence, for or against, from which a place counts as decided: the logistic regression gives its
+/// choice a probability of 1 / (1 + exp(-3)), which is 95 %.
+constexpr double DecisiveEvidence = 3.0;
+
 /**
  * Where to slice next (our own addition). A place counts as undecided if the evidence is less than
- * 3, for or against (95 % certain), or if what was chosen is impossible, which counts as 1 bit of
+ * DecisiveEvidence, for or against, or if what was chosen is impossible, which counts as 1 bit of
  * uncertainty. It is settled by a slice that passes between two cycles, or through an isolated
  * contour, which gets node points there. The plane that settles places with the greatest sum of
  * uncertainty is proposed first, then the one that settles most of the others, and so on (greedy
- * stabbing of weighted intervals), at most `mostPlanes`.
+ * stabbing of weighted intervals), at most `maxPlanes`.
  */
 UndecidedPlaces FindUndecidedPlaces(
   const CycleGeometry& geometry, const std::vector<CycleJoin>& joins, Index maxPlanes = 1000);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Correspondence/EllipticalCylinders.h"
+#include "Core/Base/Vectors.h"
 
 #include "Core/Correspondence/ContourEllipse.h"
 
@@ -25,22 +26,16 @@ struct Parameters
   Point3 Shape;
 };
 
-double Norm(const Point2& d) { return std::hypot(d[0], d[1]); }
+/// Length of a shape (uu, uv, vv) as a symmetric matrix (Frobenius norm).
 double Norm(const Point3& m) { return std::sqrt(m[0] * m[0] + 2 * m[1] * m[1] + m[2] * m[2]); }
 
-Point2 CenterOffset(const Parameters& a, const Parameters& b)
-{
-  return { b.Center[0] - a.Center[0], b.Center[1] - a.Center[1] };
-}
+Point2 CenterOffset(const Parameters& a, const Parameters& b) { return b.Center - a.Center; }
 
-Point3 ShapeOffset(const Parameters& a, const Parameters& b)
-{
-  return { b.Shape[0] - a.Shape[0], b.Shape[1] - a.Shape[1], b.Shape[2] - a.Shape[2] };
-}
+Point3 ShapeOffset(const Parameters& a, const Parameters& b) { return b.Shape - a.Shape; }
 
 double Distance(const Parameters& a, const Parameters& b)
 {
-  return std::hypot(Norm(CenterOffset(a, b)), Norm(ShapeOffset(a, b)));
+  return std::hypot(Length(CenterOffset(a, b)), Norm(ShapeOffset(a, b)));
 }
 
 /// Three contours on consecutive slices.
@@ -197,7 +192,7 @@ void CylinderBuilder::AddSeedsAbove(Index lower, Index middle, std::vector<Seed>
     return;
   }
   const Parameters predicted = this->Extrapolate(lower, middle, slice);
-  const double slope = Norm(CenterOffset(this->Values[lower], this->Values[middle]));
+  const double slope = Length(CenterOffset(this->Values[lower], this->Values[middle]));
   this->VisitNear(slice, predicted.Center, MaxError * scale,
     [&](Index upper)
     {
@@ -274,7 +269,7 @@ CylinderBuilder::Found CylinderBuilder::NearestAlike(Index contour, Direction di
     const double scale = std::min(this->Scale(contour), this->Scale(other));
     const double reach = this->Ellipses[contour].Major + this->Ellipses[other].Major;
     if (this->IsAlone(other) && this->MayBelong(contour, other) &&
-      Norm(ShapeOffset(a, b)) <= MaxChange * scale && Norm(CenterOffset(a, b)) <= reach &&
+      Norm(ShapeOffset(a, b)) <= MaxChange * scale && Length(CenterOffset(a, b)) <= reach &&
       Distance(a, b) < best.Error)
     {
       best = { other, Distance(a, b) };
@@ -319,8 +314,8 @@ void CylinderBuilder::JoinEnds(Direction direction)
     for (const Index other : this->BySlice[slice])
     {
       const Parameters back = this->PredictBeyond(other, Opposite(direction));
-      const double error = std::min(Norm(CenterOffset(beyond, this->Values[other])),
-                             Norm(CenterOffset(back, this->Values[end]))) /
+      const double error = std::min(Length(CenterOffset(beyond, this->Values[other])),
+                             Length(CenterOffset(back, this->Values[end]))) /
         this->Scale(end);
       if (this->MayBelong(end, other) && error < best.Error &&
         (DoOverlap(EllipseOfShape(beyond.Center, beyond.Shape), this->Ellipses[other]) ||

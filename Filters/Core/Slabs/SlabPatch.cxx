@@ -71,7 +71,7 @@ PatchMaker::PatchMaker(const SlabSource& source, std::size_t group, Index piece)
     }
   }
   std::sort(this->Edges.begin(), this->Edges.end());
-  this->Mesh.Kind = PatchKind::Joined;
+  this->Mesh.Kind = PatchKind::Stitched;
 }
 
 /// The loops of the piece, in the order of their cycles.

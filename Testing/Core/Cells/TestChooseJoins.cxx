@@ -426,7 +426,7 @@ void ExpectSoundChoice(const Reconstruction& result, const PriorKnowledge& known
   }
   if (known.Genus < 0)
   {
-    EXPECT_GE(weakestHandle, 0.3);
+    EXPECT_GE(weakestHandle, HandleEvidence);
   }
   else
   {
@@ -434,7 +434,7 @@ void ExpectSoundChoice(const Reconstruction& result, const PriorKnowledge& known
   }
   if (known.Components == 0)
   {
-    EXPECT_GE(weakestConnection, -2.5);
+    EXPECT_GE(weakestConnection, -FragmentAllowance);
   }
 }
 }

@@ -251,7 +251,7 @@ int ExpectSoundShells(const CycleGeometry& geometry, const std::vector<Index>& c
       ++impossible;
       continue;
     }
-    EXPECT_EQ(shells[i].Kind, groups[i].size() > 1 ? PatchKind::Joined : PatchKind::Shell);
+    EXPECT_EQ(shells[i].Kind, PatchKind::Shell);
     EXPECT_EQ(shells[i].Cycles, groups[i]);
     EXPECT_EQ(DescribePatchFlaws(geometry, shells[i]), "");
     TriangleMesh mesh = MeshOf(geometry, shells[i]);

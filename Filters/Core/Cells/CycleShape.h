@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesCycleShape_h
+#define OrthoSlicesCycleShape_h
+
+#include "Core/Graph/CycleGeometry.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/// A cycle as the disc that it may bound. Lengths are in world units.
+struct CycleShape
+{
+  Index Cycle;
+  bool Loop;
+  std::vector<Point3> Border;
+  Point3 Center;   ///< of the border, by length
+  double Radius;   ///< root mean square distance of the border from the center
+  Point3 Apex;     ///< of the fan: the central point, for a loop the center
+  Point3 Area;     ///< unit normal of the disc, outwards
+  double Flatness; ///< mean cosine between the surface normals and Area; 0 for loops; see CycleJoin
+  double Disagreement;         ///< the greatest at its node points
+  std::vector<Point3> Normals; ///< unit normals of the surface at the border
+  std::vector<double> Weights; ///< of the normals: their sum is 1, or 0 without normals
+};
+
+/// Describes cycles, one after another.
+class CycleDescriber
+{
+public:
+  /// Keeps the addresses. `nodeNormals` has x, y, z for each node, `centralPoints` for each cycle.
+  CycleDescriber(const CycleGeometry& geometry, const std::vector<double>& nodeNormals,
+    const std::vector<double>& centralPoints)
+    : Geometry(geometry)
+    , NodeNormals(nodeNormals)
+    , CentralPoints(centralPoints)
+  {
+  }
+
+  CycleShape Describe(Index cycle);
+
+private:
+  void AddNormals(CycleShape& shape) const;
+
+  const CycleGeometry& Geometry;
+  const std::vector<double>& NodeNormals;
+  const std::vector<double>& CentralPoints;
+  std::vector<Index> Points, NodePlaces; ///< of the cycle
+};
+}
+
+#endif
