@@ -77,7 +77,7 @@ std::vector<Index> TouchFinder::Find(const Index* first, const Index* last) cons
     }
   }
   std::vector<Index> touching;
-  for (const auto& contact : FindContacts(all))
+  for (const auto& contact : FindContacts(all.Triangles, all.Kinds))
   {
     for (const Index patch : { contact.first, contact.second })
     {
