@@ -10,6 +10,7 @@
  */
 
 #include "Support/CheckEmbedding.h"
+#include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/RandomInput.h"

@@ -178,7 +178,7 @@ TEST_P(Embedded, ShapesOfTheDataFolder)
 }
 
 INSTANTIATE_TEST_SUITE_P(Data, Embedded, testing::ValuesIn(Changes),
-  [](const testing::TestParamInfo<Change>& info) { return std::string(info.param.Name); });
+  [](const testing::TestParamInfo<Change>& change) { return std::string(change.param.Name); });
 
 //----------------------------------------------------------------------------
 namespace

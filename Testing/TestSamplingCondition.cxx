@@ -186,4 +186,4 @@ TEST_P(SamplingCondition, DiagonalOfTheReach) { this->ExpectRightTopology(1.0); 
 TEST_P(SamplingCondition, DiagonalOfTwiceTheReach) { this->ExpectRightTopology(2.0); }
 
 INSTANTIATE_TEST_SUITE_P(Solids, SamplingCondition, testing::ValuesIn(Kinds),
-  [](const testing::TestParamInfo<Kind>& info) { return std::string(info.param.Name); });
+  [](const testing::TestParamInfo<Kind>& kind) { return std::string(kind.param.Name); });
