@@ -179,7 +179,7 @@ bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)
   {
     this->PlacePoint(border, this->Disc.Points[i], patch);
   }
-  for (const DiscTriangulation::Triangle& triangle : this->Disc.Triangles)
+  for (const LinkedTriangle& triangle : this->Disc.Triangles)
   {
     std::array<Index, 3> corners = triangle.Corners;
     for (Index& corner : corners)
