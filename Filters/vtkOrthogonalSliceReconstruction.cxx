@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOrthogonalSliceReconstruction.h"
 
+#include "Bridge/DescribeReport.h"
 #include "Bridge/WriteSurface.h"
 
 #include "vtkExecutive.h"
@@ -24,191 +25,6 @@ vtkStandardNewMacro(vtkOrthogonalSliceReconstruction);
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-namespace
-{
-constexpr char AxisNames[] = "xyz";
-
-const char* Describe(orthoslices::ProblemKind kind)
-{
-  switch (kind)
-  {
-    case orthoslices::ProblemKind::NotFinite:
-      return "has a coordinate that is not finite";
-    case orthoslices::ProblemKind::OffPlane:
-      return "leaves its plane";
-    case orthoslices::ProblemKind::Open:
-      return "is open";
-    case orthoslices::ProblemKind::CrossesItself:
-      return "crosses itself";
-    case orthoslices::ProblemKind::CrossesOther:
-      return "crosses another contour of its slice";
-  }
-  return "is unusable";
-}
-
-/// One line for each problem, the first ones only.
-std::string ListProblems(const std::vector<orthoslices::Problem>& problems)
-{
-  constexpr std::size_t maximum = 10;
-  std::ostringstream text;
-  for (std::size_t i = 0; i < problems.size() && i < maximum; ++i)
-  {
-    const orthoslices::Problem& problem = problems[i];
-    text << "\n  port " << problem.Port << " (" << AxisNames[problem.Port] << "-slices), cell "
-         << problem.Cell << ": the contour " << Describe(problem.Kind) << " at ("
-         << problem.Where[0] << ", " << problem.Where[1] << ", " << problem.Where[2] << ")";
-  }
-  if (problems.size() > maximum)
-  {
-    text << "\n  and " << problems.size() - maximum << " more";
-  }
-  return text.str();
-}
-
-/// The slice that agrees least with the others.
-std::string DescribeWorstSlice(const orthoslices::Reconstruction& result)
-{
-  int worstAxis = 0;
-  std::size_t worstPlane = 0;
-  double worst = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const auto& planes = result.Agreement.OfPlane[axis];
-    for (std::size_t plane = 0; plane < planes.size(); ++plane)
-    {
-      if (planes[plane].RootMeanSquare() > worst)
-      {
-        worst = planes[plane].RootMeanSquare();
-        worstAxis = axis;
-        worstPlane = plane;
-      }
-    }
-  }
-  std::ostringstream text;
-  if (worst > 0.0)
-  {
-    text << " Least agreement: the slice " << AxisNames[worstAxis] << " = "
-         << result.Grid.Planes[worstAxis][worstPlane] << ", RMS " << worst
-         << " (see the table of slices).";
-  }
-  return text.str();
-}
-
-/// The slice that lost most votes on whether a grid vertex is inside.
-std::string DescribeOverruledSlice(const orthoslices::Reconstruction& result)
-{
-  std::array<std::vector<int>, 3> count;
-  int worstAxis = 0;
-  int worstPlane = -1;
-  for (const orthoslices::Repair& repair : result.Repairs)
-  {
-    if (repair.Kind != orthoslices::RepairKind::VertexRelabelled)
-    {
-      continue;
-    }
-    count[repair.Axis].resize(result.Grid.Count(repair.Axis), 0);
-    ++count[repair.Axis][repair.Plane];
-    if (worstPlane < 0 || count[repair.Axis][repair.Plane] > count[worstAxis][worstPlane])
-    {
-      worstAxis = repair.Axis;
-      worstPlane = repair.Plane;
-    }
-  }
-  std::ostringstream text;
-  if (worstPlane >= 0)
-  {
-    text << " Most often overruled: the slice " << AxisNames[worstAxis] << " = "
-         << result.Grid.Planes[worstAxis][worstPlane] << ", at " << count[worstAxis][worstPlane]
-         << " grid vertices.";
-  }
-  return text.str();
-}
-
-/// What the slices leave open, and where to slice next.
-std::string DescribeUndecided(const orthoslices::Reconstruction& result)
-{
-  std::ostringstream text;
-  const orthoslices::UndecidedPlaces& undecided = result.Undecided;
-  if (!undecided.Planes.empty())
-  {
-    const orthoslices::ProposedPlane& plane = undecided.Planes.front();
-    text
-      << "\nThe slices leave open at " << undecided.Places.size()
-      << " places which contours belong together (see the table of undecided places). A slice at "
-      << AxisNames[plane.Axis] << " = " << plane.Coordinate << " would settle " << plane.Settles
-      << " of them.";
-  }
-  return text.str();
-}
-
-/// Says so if the surface is not as expected; 0 components and genus -1 are unknown.
-std::string DescribeUnexpected(
-  const orthoslices::SurfaceTopology& topology, int components, int genus)
-{
-  std::ostringstream text;
-  if (components > 0 && components != topology.Components)
-  {
-    text << "\nThe surface has " << topology.Components << " components, not " << components
-         << " as expected: the undecided places do not allow it.";
-  }
-  if (genus >= 0 && genus != topology.Genus)
-  {
-    text << "\nThe surface has genus " << topology.Genus << ", not " << genus
-         << " as expected: the undecided places do not allow it.";
-  }
-  return text.str();
-}
-
-/// What the user should know about a result that is closed all the same; empty if nothing.
-std::string ListDoubts(const orthoslices::Reconstruction& result, bool repaired, double tolerance)
-{
-  std::ostringstream text;
-  if (!result.Invalid.empty())
-  {
-    text << "\n"
-         << result.Invalid.size() << " contours were left out:" << ListProblems(result.Invalid);
-  }
-  if (!result.CrossingProblems.empty())
-  {
-    text << "\n"
-         << result.CrossingProblems.size() << " contours cross and were "
-         << (repaired ? "repaired:" : "left out:") << ListProblems(result.CrossingProblems);
-  }
-  const orthoslices::Index disagreements = orthoslices::CountDisagreements(result, tolerance);
-  if (!result.Repairs.empty() || disagreements > 0)
-  {
-    text << "\nThe slices contradict each other at " << result.Reconciled.Vertices
-         << " grid vertices and on " << result.Reconciled.Edges
-         << " grid edges, where they were reconciled, and by more than " << tolerance << " at "
-         << disagreements << " of " << result.Graph.Nodes << " node points."
-         << DescribeWorstSlice(result) << DescribeOverruledSlice(result);
-  }
-  if (result.InsideOut)
-  {
-    text
-      << "\nThe contours run clockwise: the surface is inside out, as drawn. Reverse the contours,"
-         " or set Orientation to ByNesting.";
-  }
-  if (result.DoubtfulCycles > 0)
-  {
-    text << "\nPlanes lie so close together that " << result.DoubtfulCycles
-         << " patches between them may touch others. Use points in double precision, or a greater"
-            " PlaneTolerance.";
-  }
-  const orthoslices::Index leftOut = orthoslices::CountLeftOut(result.Isolated);
-  if (leftOut > 0)
-  {
-    text << "\n"
-         << leftOut
-         << " contours without node points, or parts of contours that were cut off, take no part "
-            "in the"
-            " surface; they are the lines with ComponentId -1 of the graph output.";
-  }
-  text << DescribeUndecided(result);
-  return text.str();
-}
-}
-
 vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
 {
   this->SetNumberOfInputPorts(3);
@@ -226,6 +42,16 @@ int vtkOrthogonalSliceReconstruction::FillOutputPortInformation(int port, vtkInf
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port >= 2 ? "vtkTable" : "vtkPolyData");
   return 1;
+}
+
+void vtkOrthogonalSliceReconstruction::SetFamilyConnection(int family, vtkAlgorithmOutput* output)
+{
+  if (family < 1 || family > 3)
+  {
+    vtkErrorMacro("Family " << family << " must be 1 (x-slices), 2 (y-slices) or 3 (z-slices).");
+    return;
+  }
+  this->SetInputConnection(family - 1, output);
 }
 
 vtkPolyData* vtkOrthogonalSliceReconstruction::GetGraphOutput()
@@ -318,7 +144,7 @@ int vtkOrthogonalSliceReconstruction::RequestData(
     }
     if (input == nullptr || input->GetNumberOfLines() + input->GetNumberOfPolys() == 0)
     {
-      vtkErrorMacro("Port " << port << " (" << AxisNames[port]
+      vtkErrorMacro("Port " << port << " (" << orthoslices::AxisNames[port]
                             << "-slices) has no contours: no lines and no polygons.");
       return 0;
     }
@@ -395,8 +221,8 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   {
     std::vector<orthoslices::Problem> problems = result.Invalid;
     problems.insert(problems.end(), result.CrossingProblems.begin(), result.CrossingProblems.end());
-    vtkErrorMacro(
-      "The input has " << problems.size() << " unusable contours:" << ListProblems(problems));
+    vtkErrorMacro("The input has "
+      << problems.size() << " unusable contours:" << orthoslices::DescribeProblems(problems));
     return 0;
   }
   for (int axis = 0; axis < 3; ++axis)
@@ -411,12 +237,14 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   }
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
   orthoslices::RemoveSmallRepairs(reportTolerance, result.Repairs);
-  std::string doubts =
-    ListDoubts(result, this->CrossingContours == REPAIR_CROSSING, reportTolerance);
+  orthoslices::ReportSettings settings;
+  settings.Tolerance = reportTolerance;
+  settings.RepairsCrossing = this->CrossingContours == REPAIR_CROSSING;
   if (this->SeveralCycles == BY_EVIDENCE)
   {
-    doubts += DescribeUnexpected(result.Topology, this->ExpectedComponents, this->ExpectedGenus);
+    settings.Expected = options.Known;
   }
+  const std::string doubts = orthoslices::DescribeReport(result, settings);
   if (!doubts.empty())
   {
     vtkWarningMacro(<< doubts);

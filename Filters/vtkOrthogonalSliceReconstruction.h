@@ -109,7 +109,7 @@
  * where to slice next: "PlaneAxis" (int), "PlaneCoordinate" (double), the slice that would settle
  * the place, "PlaneSettles" (vtkIdType), how many places it would settle, and "PlaneRank" (int), 0
  * for the slice that settles most: a place counts the more, the less certain it is (see
- * UncertaintyOf() in Core/UndecidedPlaces.h). The rows ascend by that rank.
+ * UncertaintyOf() in Core/Cells/UndecidedPlaces.h). The rows ascend by that rank.
  *
  * In a parallel run the first process reconstructs the whole surface from the whole input; the
  * outputs of the others are empty.
@@ -254,10 +254,11 @@ public:
   /**
    * Which isolated contours of neighbouring slices belong together; with one family of slices these
    * are all contours. By evidence (default): those that overlap, and others whose positions speak
-   * for it. Or by one of the criteria that the paper compares with (Core/Correspondence.h): overlap;
-   * generalized elliptical cylinders (Soroka 1981; Bresler, Fessler and Macovski 1989); minimum
-   * spanning tree (Skinner); Reeb graph (Shinagawa and Kunii 1991), which uses ExpectedComponents
-   * and ExpectedGenus. Has no effect with DISCS.
+   * for it. Or by one of the criteria that the paper compares with
+   * (Core/Correspondence/FindCorrespondences.h): overlap; generalized elliptical cylinders (Soroka
+   * 1981; Bresler, Fessler and Macovski 1989); minimum spanning tree (Skinner); Reeb graph
+   * (Shinagawa and Kunii 1991), which uses ExpectedComponents and ExpectedGenus. Has no effect with
+   * DISCS.
    */
   vtkSetClampMacro(Correspondence, int, CORRESPOND_BY_EVIDENCE, CORRESPOND_BY_REEB_GRAPH);
   vtkGetMacro(Correspondence, int);
@@ -423,6 +424,14 @@ public:
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
+
+  /**
+   * Connects one family of slices: the same as SetInputConnection(family - 1, output), with the
+   * x-slices as family 1, the y-slices as family 2 and the z-slices as family 3. ParaView's proxies
+   * use it: its Python takes the active source for an input with port index 0 that a script leaves
+   * out, and no family may be made up.
+   */
+  void SetFamilyConnection(int family, vtkAlgorithmOutput* output);
 
   ///@{
   /**

@@ -38,6 +38,7 @@
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
 #include "vtkTable.h"
+#include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedShortArray.h"
 
@@ -334,6 +335,30 @@ TEST(ReconstructionFilter, OutputsAreEmptiedByAnErrorAndFilledAgain)
 }
 
 //----------------------------------------------------------------------------
+TEST(ReconstructionFilter, ConnectsFamiliesByNumber)
+{
+  FilterRun run;
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(vtkNew<vtkPolyData>());
+  for (const int family : { 1, 2, 3 })
+  {
+    run.Filter->SetFamilyConnection(family, producer->GetOutputPort());
+    EXPECT_EQ(run.Filter->GetInputConnection(family - 1, 0), producer->GetOutputPort());
+    EXPECT_EQ(run.Filter->GetTotalNumberOfInputConnections(), 1);
+    run.Filter->SetFamilyConnection(family, nullptr);
+    EXPECT_EQ(run.Filter->GetTotalNumberOfInputConnections(), 0);
+  }
+  EXPECT_TRUE(run.Errors.empty());
+  for (const int family : { -1, 0, 4 })
+  {
+    run.Filter->SetFamilyConnection(family, producer->GetOutputPort());
+    EXPECT_EQ(run.Filter->GetTotalNumberOfInputConnections(), 0);
+  }
+  ASSERT_EQ(run.Errors.size(), 3u);
+  EXPECT_TRUE(Contains(run.Errors[0], "Family -1")) << run.Errors[0];
+}
+
+//----------------------------------------------------------------------------
 TEST(ReconstructionFilter, LeavesOutUnusableContoursWithOneWarning)
 {
   TextRun run{ Cube() + "z=1: 5,5 6,6 6,5 5,6; x=1: 0.6,0.6 nan,1 1,1; y=7 open: 3,4 8,9" };
@@ -381,14 +406,14 @@ TEST(ReconstructionFilter, SaysNothingAboutSlicesThatAgree)
 }
 
 //----------------------------------------------------------------------------
-TEST(ReconstructionFilter, WarnsOnceOfContradictionsAndIsolatedContours)
+TEST(ReconstructionFilter, WarnsOnceOfContradictionsAndContoursLeftOut)
 {
   FilterRun run(Stomach());
   vtkPolyData* surface = run.Update();
   EXPECT_TRUE(run.Errors.empty());
   ASSERT_EQ(run.Warnings.size(), 1u);
-  for (const char* name : { "NumberOfReconciledVertices", "NumberOfReconciledEdges",
-         "NumberOfContoursLeftOut", "NumberOfUndecidedPlaces" })
+  for (const char* name :
+    { "NumberOfReconciledVertices", "NumberOfReconciledEdges", "NumberOfContoursLeftOut" })
   {
     EXPECT_GT(FieldValue(surface, name), 0) << name;
     EXPECT_TRUE(Contains(run.Warnings[0], std::to_string(FieldValue(surface, name)))) << name;

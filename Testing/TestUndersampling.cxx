@@ -257,7 +257,8 @@ TEST(Undersampling, ColumnsOfTheTableOfUndecidedPlaces)
       EXPECT_EQ(table->GetColumnByName(column.Name)->GetDataType(), column.Type) << column.Name;
     }
     EXPECT_EQ(FieldValue(surface, "NumberOfUndecidedPlaces"), table->GetNumberOfRows());
-    EXPECT_EQ(Contains(run.Warnings, "would settle"), table->GetNumberOfRows() > 0);
+    // The warning is about some of the rows only; see TestWeightsAndReport.
+    EXPECT_TRUE(!Contains(run.Warnings, "would settle") || table->GetNumberOfRows() > 0);
     const auto value = [&](vtkIdType row, const char* name)
     { return table->GetValueByName(row, name).ToDouble(); };
     std::map<int, vtkIdType> settled;

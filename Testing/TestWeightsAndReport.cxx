@@ -625,3 +625,70 @@ TEST(Report, SaysThatContoursAsDrawnBoundTheOutside)
   ASSERT_EQ(run.Warnings.size(), 1u);
   EXPECT_TRUE(Contains(run.Warnings[0], "inside out")) << run.Warnings[0];
 }
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// What the filter says about a shape of Data in three families of slices.
+std::vector<std::string> WarningsOn(const std::string& name, int planes, FilterRun& run)
+{
+  run.SetInputs(ReadPieceSets({ name, 0, 0, true }, planes));
+  run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  return run.Warnings;
+}
+
+/// Whether the surface of the last run has the topology that a shape is known to have.
+bool IsRight(const DataSet& data, FilterRun& run)
+{
+  vtkPolyData* surface = run.Filter->GetOutput();
+  return FieldValue(surface, "NumberOfComponents") == data.Components &&
+    FieldValue(surface, "TotalGenus") == data.Genus;
+}
+}
+
+/// Although up to 84 places are undecided, of which the table tells.
+TEST(Report, SaysNothingAboutShapesThatComeOutRight)
+{
+  int right = 0;
+  for (const DataSet& data : AllDataSets())
+  {
+    for (const int planes : { 16, 32 })
+    {
+      if (!data.Consistent)
+      {
+        continue;
+      }
+      SCOPED_TRACE(data.Name + " " + std::to_string(planes));
+      FilterRun run;
+      const auto warnings = WarningsOn(data.Name, planes, run);
+      EXPECT_GT(run.Filter->GetUndecidedTable()->GetNumberOfRows(), 0);
+      if (IsRight(data, run))
+      {
+        ++right;
+        EXPECT_TRUE(warnings.empty()) << warnings.front();
+      }
+      else
+      {
+        ASSERT_EQ(warnings.size(), 1u);
+        EXPECT_TRUE(Contains(warnings[0], "places the slices hardly say")) << warnings[0];
+        EXPECT_TRUE(Contains(warnings[0], "would settle")) << warnings[0];
+        EXPECT_FALSE(Contains(warnings[0], "contradict")) << warnings[0];
+      }
+    }
+  }
+  EXPECT_GE(right, 10);
+}
+
+//----------------------------------------------------------------------------
+TEST(Report, SaysNothingOfOneFamilyWhoseContoursOverlap)
+{
+  FilterRun run;
+  run.SetInputs(PieceSets{ Pieces(), Pieces(), ReadPieceSets({ "heart", 1, 1, true }, 32)[2] });
+  run.Filter->SetInputConnection(0, nullptr);
+  run.Filter->SetInputConnection(1, nullptr);
+  run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  EXPECT_GT(run.Filter->GetUndecidedTable()->GetNumberOfRows(), 50);
+  EXPECT_TRUE(run.Warnings.empty());
+}

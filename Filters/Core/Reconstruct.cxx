@@ -3,6 +3,7 @@
 #include "Core/Reconstruct.h"
 
 #include "Core/Base/Box.h"
+#include "Core/CheckInvariants.h"
 #include "Core/Crossings/NodeNormals.h"
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/SimplifyArcs.h"
@@ -14,6 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
 
 namespace orthoslices
 {
@@ -116,6 +120,14 @@ private:
 
 void StageRunner::Finish(Stage stage) const
 {
+#ifdef ORTHOGONAL_SLICES_CHECK_INVARIANTS
+  const std::string wrong = CheckInvariants(stage, this->Tables, this->Result);
+  if (!wrong.empty())
+  {
+    std::cerr << wrong << std::endl;
+    std::abort();
+  }
+#endif
   if (this->Observe)
   {
     this->Observe(stage, this->Tables, this->Result);

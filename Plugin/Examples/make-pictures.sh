@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # bash Plugin/Examples/make-pictures.sh [folder [build]]
-# Makes the pictures of the README again (default: Data/pictures) with the plugin and the programs
+# Makes the pictures of the pages again (default: Data/pictures) with the plugin and the programs
 # CompareMethods and CompareConvergence of a build folder (default: build/paraview, which
 # Testing/demo.sh and Testing/test.sh make):
 #   reconstruction.png  the contours of a heart, and the surface from them

@@ -7,7 +7,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from paraview import simple
+from paraview import servermanager, simple
 
 from PluginChecks import (
     check,
@@ -17,6 +17,7 @@ from PluginChecks import (
     fetch,
     field_value,
     load_plugin,
+    reconstruct,
     reconstruct_sliced,
     sphere,
 )
@@ -121,6 +122,42 @@ def check_properties_reach_the_filters():
         "no surface with the other modes")
 
 
+def check_views():
+    """Apply shows the surface in the view that is there, and opens none for the other outputs."""
+    controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
+    slicer = simple.OrthogonalSlicer(Input=sphere())
+    parallel = simple.ParallelSliceReconstruction(ZSlices=simple.OutputPort(slicer, 2))
+    for proxy in (reconstruct_sliced(slicer), parallel):
+        proxy.UpdatePipeline()
+        for port in range(proxy.SMProxy.GetNumberOfOutputPorts()):
+            view = controller.GetPreferredViewType(proxy.SMProxy, port)
+            expected = "None" if port > 0 else None
+            check(view == expected, f"output {port} of {proxy.GetXMLLabel()} asks for {view}")
+
+
+def check_inputs_left_out():
+    """An input that a script leaves out stays out, whatever the active source is."""
+    slicer = simple.OrthogonalSlicer(Input=sphere(), NumberOfSlices=[9, 10, 11])
+    ports = [simple.OutputPort(slicer, port) for port in range(3)]
+    names = ("XSlices", "YSlices", "ZSlices")
+    planes = (9, 10, 11)
+    for given in ((1, 2), (0, 2), (0, 1), (0,), (1,), (2,)):
+        for active in (slicer, ports[0], ports[2]):
+            simple.SetActiveSource(active)
+            inputs = {names[axis]: ports[axis] for axis in given}
+            rec = simple.OrthogonalSliceReconstruction(**inputs)
+            for axis in range(3):
+                connected = getattr(rec, names[axis]) is not None
+                check(connected == (axis in given), f"{names[axis]} with {list(inputs)}: {connected}")
+            count = field_value(fetch(rec), "NumberOfContours")
+            expected = sum(planes[axis] for axis in given)
+            check(count == expected, f"{count} contours of {list(inputs)}, not {expected}")
+    rec = reconstruct(*ports)
+    check(field_value(fetch(rec), "NumberOfContours") == 30, "not all contours")
+    rec.XSlices = None
+    check(field_value(fetch(rec), "NumberOfContours") == 21, "an input cannot be taken out again")
+
+
 def check_parallel():
     """One family of slices, with the defaults and another criterion."""
     slicer = simple.OrthogonalSlicer(Input=sphere())
@@ -157,6 +194,8 @@ def main(plugin, data):
     check_sphere()
     check_outputs()
     check_properties_reach_the_filters()
+    check_views()
+    check_inputs_left_out()
     check_parallel()
     check_image()
     check_heart(data)

@@ -3,8 +3,6 @@
 #ifndef OrthoSlicesExecution_h
 #define OrthoSlicesExecution_h
 
-#include "Core/Base/Execution.h"
-
 #include <cstddef>
 #include <functional>
 

@@ -17,8 +17,6 @@
  */
 namespace orthoslices
 {
-using Point2 = std::array<double, 2>;
-
 /// The sign of SideOf in exact arithmetic, for the rare case that rounding could change it.
 int ExactSideOf(const Point2& p, const Point2& q, const Point2& r);
 

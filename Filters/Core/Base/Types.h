@@ -20,6 +20,9 @@ namespace orthoslices
 /// Numbers contours, vertices, crossings, nodes and cycles. At most 2^31 - 1 of each.
 using Index = std::int32_t;
 
+/// A point or vector in a plane, of its coordinates u and v.
+using Point2 = std::array<double, 2>;
+/// A point or vector in space.
 using Point3 = std::array<double, 3>;
 
 constexpr int FirstAxis(int axis) { return (axis + 1) % 3; }

@@ -8,9 +8,29 @@
 #include <cmath>
 #include <vector>
 
-/// Arithmetic of points and vectors in space.
+/// Arithmetic of points and vectors, in the plane and in space.
 namespace orthoslices
 {
+inline Point2 operator-(const Point2& a, const Point2& b) { return { a[0] - b[0], a[1] - b[1] }; }
+inline Point2 operator+(const Point2& a, const Point2& b) { return { a[0] + b[0], a[1] + b[1] }; }
+inline Point2 operator*(double s, const Point2& a) { return { s * a[0], s * a[1] }; }
+inline double Dot(const Point2& a, const Point2& b) { return a[0] * b[0] + a[1] * b[1]; }
+/// Area of the parallelogram over two vectors, positive if b points to the left of a.
+inline double Cross(const Point2& a, const Point2& b) { return a[0] * b[1] - a[1] * b[0]; }
+inline double SquaredDistance(const Point2& a, const Point2& b)
+{
+  const Point2 d = b - a;
+  return Dot(d, d);
+}
+/// The point on the way from a to b after a share of it.
+inline Point2 Between(const Point2& a, const Point2& b, double share)
+{
+  return a + share * (b - a);
+}
+/// Never overflows, unlike the square root of the square, and takes more time than that.
+inline double Length(const Point2& a) { return std::hypot(a[0], a[1]); }
+inline double Distance(const Point2& a, const Point2& b) { return Length(b - a); }
+
 inline Point3 operator-(const Point3& a, const Point3& b)
 {
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
@@ -33,12 +53,13 @@ inline double SquaredDistance(const Point3& a, const Point3& b)
   const Point3 d = b - a;
   return Dot(d, d);
 }
+/// The point on the way from a to b after a share of it.
 inline Point3 Between(const Point3& a, const Point3& b, double share)
 {
   return a + share * (b - a);
 }
 inline double Length(const Point3& a) { return std::sqrt(Dot(a, a)); }
-/// Of unit length; zero stays zero.
+/// The vector of unit length in the same direction; zero stays zero.
 inline Point3 Unit(const Point3& a)
 {
   const double length = Length(a);

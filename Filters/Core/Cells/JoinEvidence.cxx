@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Cells/JoinEvidence.h"
 
+#include "Core/Base/TriangleDistance.h"
 #include "Core/Base/Vectors.h"
 #include "Core/Cells/CycleShape.h"
 
@@ -16,50 +17,6 @@ namespace
 /// Points of a loop at which its distance to a patch is measured: the mean of so many differs little
 /// from that of all.
 constexpr Index MaxSamples = 16;
-
-/// Squared distance of a point to a triangle (C. Ericson, "Real-Time Collision Detection", 5.1.5).
-double SquaredDistance(const Point3& p, const Point3& a, const Point3& b, const Point3& c)
-{
-  const Point3 ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = Dot(ab, ap), d2 = Dot(ac, ap);
-  Point3 nearest = a;
-  const Point3 bp = p - b;
-  const double d3 = Dot(ab, bp), d4 = Dot(ac, bp);
-  const Point3 cp = p - c;
-  const double d5 = Dot(ab, cp), d6 = Dot(ac, cp);
-  const double va = d3 * d6 - d5 * d4, vb = d5 * d2 - d1 * d6, vc = d1 * d4 - d3 * d2;
-  if (d1 <= 0.0 && d2 <= 0.0)
-  {
-    nearest = a;
-  }
-  else if (d3 >= 0.0 && d4 <= d3)
-  {
-    nearest = b;
-  }
-  else if (d6 >= 0.0 && d5 <= d6)
-  {
-    nearest = c;
-  }
-  else if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
-  {
-    nearest = a + (d1 / (d1 - d3)) * ab;
-  }
-  else if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
-  {
-    nearest = a + (d2 / (d2 - d6)) * ac;
-  }
-  else if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0)
-  {
-    nearest = b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
-  }
-  else if (va + vb + vc > 0.0)
-  {
-    const double scale = 1.0 / (va + vb + vc);
-    nearest = a + (vb * scale) * ab + (vc * scale) * ac;
-  }
-  const Point3 d = p - nearest;
-  return Dot(d, d);
-}
 
 /// A join, and how far each of its two cycles, if it is a loop, is from the patch of the other.
 struct Candidate
@@ -135,7 +92,7 @@ double PairMeter::DistanceTo(const CycleShape& loop, const CycleShape& patch) co
     for (std::size_t i = 0; i < patch.Border.size(); ++i)
     {
       minimum = std::min(minimum,
-        SquaredDistance(
+        SquaredDistanceToTriangle(
           p, patch.Apex, patch.Border[i], patch.Border[(i + 1) % patch.Border.size()]));
     }
     sum += std::sqrt(minimum);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Correspondence/ContourEllipse.h"
 
+#include "Core/Base/Vectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,9 +13,6 @@ namespace orthoslices
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-
-double Cross(const Point2& p, const Point2& q) { return p[0] * q[1] - p[1] * q[0]; }
-double Dot(const Point2& p, const Point2& q) { return p[0] * q[0] + p[1] * q[1]; }
 
 /// Eigenvalues (descending) of the symmetric matrix (uu, uv, vv) and the direction of the first.
 struct Eigen
@@ -36,7 +35,7 @@ struct Eigen
 /// Place relative to the centre, in semi-axes: the ellipse becomes the unit circle.
 Point2 InAxes(const ContourEllipse& ellipse, const Point2& p)
 {
-  const Point2 d{ p[0] - ellipse.Center[0], p[1] - ellipse.Center[1] };
+  const Point2 d = p - ellipse.Center;
   return { Dot(ellipse.Direction, d) / ellipse.Major, Cross(ellipse.Direction, d) / ellipse.Minor };
 }
 
@@ -46,7 +45,7 @@ double Sector(const Point2& p, const Point2& q) { return 0.5 * std::atan2(Cross(
 /// Signed area common to the unit disc and the triangle (origin, p, q).
 double AreaInDisc(const Point2& p, const Point2& q)
 {
-  const Point2 d{ q[0] - p[0], q[1] - p[1] };
+  const Point2 d = q - p;
   const double a = Dot(d, d);
   const double b = Dot(p, d);
   const double discriminant = b * b - a * (Dot(p, p) - 1.0);
@@ -60,7 +59,7 @@ double AreaInDisc(const Point2& p, const Point2& q)
   {
     return Sector(p, q);
   }
-  const auto at = [&](double t) { return Point2{ p[0] + t * d[0], p[1] + t * d[1] }; };
+  const auto at = [&](double t) { return p + t * d; };
   const Point2 enter = from > 0.0 ? at(from) : p;
   const Point2 leave = to < 1.0 ? at(to) : q;
   return Sector(p, enter) + 0.5 * Cross(enter, leave) + Sector(leave, q);
@@ -86,8 +85,8 @@ ContourEllipse FitEllipse(const ContourStack& stack, Index contour)
   for (Index i = stack.Offsets[contour]; i < stack.Offsets[contour + 1]; ++i)
   {
     Point2 p = stack.At(i), q = stack.At(stack.Next(contour, i));
-    p = { p[0] - origin[0], p[1] - origin[1] };
-    q = { q[0] - origin[0], q[1] - origin[1] };
+    p = p - origin;
+    q = q - origin;
     const double w = Cross(p, q); // twice the area of the triangle with the origin
     area += w / 2.0;
     u += w * (p[0] + q[0]) / 6.0;
@@ -171,7 +170,7 @@ ContourEllipse EllipseOfShape(const Point2& center, const Point3& shape)
 
 bool DoOverlap(const ContourEllipse& a, const ContourEllipse& b)
 {
-  const double distance = std::hypot(b.Center[0] - a.Center[0], b.Center[1] - a.Center[1]);
+  const double distance = Distance(a.Center, b.Center);
   return distance <= a.Major + b.Major && (ReachesInto(a, b) || ReachesInto(b, a));
 }
 }

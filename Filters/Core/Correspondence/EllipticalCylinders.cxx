@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Correspondence/EllipticalCylinders.h"
+#include "Core/Base/Vectors.h"
 
 #include "Core/Correspondence/ContourEllipse.h"
 
@@ -25,22 +26,16 @@ struct Parameters
   Point3 Shape;
 };
 
-double Norm(const Point2& d) { return std::hypot(d[0], d[1]); }
+/// Length of a shape (uu, uv, vv) as a symmetric matrix (Frobenius norm).
 double Norm(const Point3& m) { return std::sqrt(m[0] * m[0] + 2 * m[1] * m[1] + m[2] * m[2]); }
 
-Point2 CenterOffset(const Parameters& a, const Parameters& b)
-{
-  return { b.Center[0] - a.Center[0], b.Center[1] - a.Center[1] };
-}
+Point2 CenterOffset(const Parameters& a, const Parameters& b) { return b.Center - a.Center; }
 
-Point3 ShapeOffset(const Parameters& a, const Parameters& b)
-{
-  return { b.Shape[0] - a.Shape[0], b.Shape[1] - a.Shape[1], b.Shape[2] - a.Shape[2] };
-}
+Point3 ShapeOffset(const Parameters& a, const Parameters& b) { return b.Shape - a.Shape; }
 
 double Distance(const Parameters& a, const Parameters& b)
 {
-  return std::hypot(Norm(CenterOffset(a, b)), Norm(ShapeOffset(a, b)));
+  return std::hypot(Length(CenterOffset(a, b)), Norm(ShapeOffset(a, b)));
 }
 
 /// Three contours on consecutive slices.

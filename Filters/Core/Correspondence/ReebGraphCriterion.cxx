@@ -3,6 +3,8 @@
 #include "Core/Correspondence/ReebGraphCriterion.h"
 
 #include "Core/Base/DisjointSets.h"
+#include "Core/Base/TriangleDistance.h"
+#include "Core/Base/Vectors.h"
 #include "Core/Correspondence/ContourNesting.h"
 
 #include <algorithm>
@@ -22,7 +24,7 @@ Samples SampleContour(const ContourStack& stack, Index contour)
   const auto length = [&](Index i)
   {
     const Point2 p = stack.At(i), q = stack.At(stack.Next(contour, i));
-    return std::hypot(q[0] - p[0], q[1] - p[1]);
+    return Distance(p, q);
   };
   double total = 0.0;
   for (Index i = begin; i < end; ++i)
@@ -41,18 +43,9 @@ Samples SampleContour(const ContourStack& stack, Index contour)
     }
     const Point2 p = stack.At(i), q = stack.At(stack.Next(contour, i));
     const double t = length(i) > 0.0 ? std::min((target - passed) / length(i), 1.0) : 0.0;
-    samples[k] = { p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1]) };
+    samples[k] = Between(p, q, t);
   }
   return samples;
-}
-
-double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b)
-{
-  const Point2 d{ b[0] - a[0], b[1] - a[1] };
-  const double square = d[0] * d[0] + d[1] * d[1];
-  const double along = (p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1];
-  const double t = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-  return std::hypot(p[0] - a[0] - t * d[0], p[1] - a[1] - t * d[1]);
 }
 
 /// Mean distance of the points of one contour from the other.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Graph/SimplifyArcs.h"
 
+#include "Core/Base/TriangleDistance.h"
 #include "Core/Base/Vectors.h"
 #include "Core/Graph/EditGraph.h"
 
@@ -11,14 +12,6 @@ namespace orthoslices
 {
 namespace
 {
-double SquaredDistanceToSegment(const Point3& p, const Point3& a, const Point3& b)
-{
-  const Point3 ab = b - a;
-  const double length2 = Dot(ab, ab);
-  const double share = length2 > 0.0 ? Dot(p - a, ab) / length2 : 0.0;
-  return SquaredDistance(p, Between(a, b, std::max(0.0, std::min(1.0, share))));
-}
-
 /// Marks the points between the first and the last that stay.
 void MarkKept(const std::vector<Point3>& points, double tolerance, std::vector<std::uint8_t>& kept)
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Planar/DiscTriangulation.h"
 
+#include "Core/Base/Vectors.h"
 #include "Core/Planar/TriangulatePolygon.h"
 
 #include <algorithm>
@@ -14,12 +15,6 @@ namespace
 /// Triangles whose circumradius is more than so many times their shortest side are badly shaped:
 /// below 24 degrees.
 constexpr double Quality = 1.23;
-
-double SquaredDistance(const Point2& a, const Point2& b)
-{
-  const double x = b[0] - a[0], y = b[1] - a[1];
-  return x * x + y * y;
-}
 
 /// Whether two segments on one line have a point in common.
 bool Overlap(const Point2& p, const Point2& q, const Point2& r, const Point2& s)
@@ -251,7 +246,7 @@ bool DiscTriangulation::Encroaches(Index t, const Point2& p) const
       }
       const Point2& a = this->Points[triangle.Corners[i]];
       const Point2& b = this->Points[triangle.Corners[(i + 1) % 3]];
-      const double dot = (a[0] - p[0]) * (b[0] - p[0]) + (a[1] - p[1]) * (b[1] - p[1]);
+      const double dot = Dot(a - p, b - p);
       if (dot < cosine * std::sqrt(SquaredDistance(a, p) * SquaredDistance(b, p)))
       {
         return true;
@@ -315,7 +310,7 @@ bool DiscTriangulation::FindNewPoint(
   if (away > maximum && radius2 > Quality * Quality * shortest)
   {
     const double share = maximum / away;
-    p = { middle[0] + share * (p[0] - middle[0]), middle[1] + share * (p[1] - middle[1]) };
+    p = Between(middle, p, share);
   }
   // Off the middle of a right angle's long side.
   constexpr double inwards = 1e-3;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Planar/TriangulatePolygon.h"
 
+#include "Core/Base/Vectors.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -125,11 +127,7 @@ bool Part::FindBridge(Index from, std::size_t firstHole, std::size_t& place) con
   std::vector<std::size_t> places(this->Ring.size());
   std::iota(places.begin(), places.end(), 0);
   const auto distance2 = [&](std::size_t i)
-  {
-    const double u = this->Points[this->Ring[i]][0] - this->Points[from][0];
-    const double v = this->Points[this->Ring[i]][1] - this->Points[from][1];
-    return u * u + v * v;
-  };
+  { return SquaredDistance(this->Points[from], this->Points[this->Ring[i]]); };
   std::stable_sort(places.begin(), places.end(),
     [&](std::size_t a, std::size_t b) { return distance2(a) < distance2(b); });
   for (const std::size_t candidate : places)

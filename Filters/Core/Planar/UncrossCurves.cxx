@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Planar/UncrossCurves.h"
 
+#include "Core/Base/Vectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -16,8 +18,6 @@ constexpr std::size_t MaxWorkPerVertex = 1 << 12;
 constexpr std::size_t ManyOverlapsPerSegment = 16;
 /// Contacts for each vertex that are listed before the first of them are dealt with.
 constexpr std::size_t MaxContactsPerVertex = 16;
-
-double Distance(const Point2& a, const Point2& b) { return std::hypot(b[0] - a[0], b[1] - a[1]); }
 
 /// The segment from a vertex to the next one of its curve.
 struct Segment
@@ -44,10 +44,8 @@ struct Crossing
 /// The share of pq up to its crossing with rs.
 double ShareAtCrossing(const Point2& p, const Point2& q, const Point2& r, const Point2& s)
 {
-  const double du = s[0] - r[0];
-  const double dv = s[1] - r[1];
-  const double from = (p[0] - r[0]) * dv - (p[1] - r[1]) * du;
-  const double to = (q[0] - r[0]) * dv - (q[1] - r[1]) * du;
+  const double from = Cross(p - r, s - r);
+  const double to = Cross(q - r, s - r);
   return from / (from - to);
 }
 
@@ -254,7 +252,7 @@ void Untangler::AddFold(const Segment& a, const Segment& b)
   const Point2& p = this->At(a.Start);
   const Point2& q = this->At(a.End);
   const Point2& r = this->At(b.End);
-  const double dot = (q[0] - p[0]) * (r[0] - q[0]) + (q[1] - p[1]) * (r[1] - q[1]);
+  const double dot = Dot(q - p, r - q);
   if (dot <= 0.0 && SideOf(p, q, r) == 0)
   {
     const bool isEnd = this->IsEnd(a.End);

@@ -3,6 +3,7 @@
 #include "Core/Slices/ContourCurve.h"
 
 #include "Core/Base/LeastSquares.h"
+#include "Core/Base/Vectors.h"
 
 #include <algorithm>
 
@@ -23,7 +24,7 @@ void ContourCurve::Set(std::vector<Point2>&& points)
 double ContourCurve::Distance(Index i, Index j) const
 {
   const Point2 &p = this->Points[i], &q = this->Points[j];
-  return std::hypot(q[0] - p[0], q[1] - p[1]);
+  return Distance(p, q);
 }
 
 /// The difference to the first point that is `reach` away.
@@ -34,8 +35,8 @@ Point2 ContourCurve::Reach(Index i, double reach, bool forward) const
   for (Index n = 0; n < this->Count() / 3 + 1; ++n)
   {
     j = forward ? this->After(j) : this->Before(j);
-    d = { this->Points[j][0] - this->Points[i][0], this->Points[j][1] - this->Points[i][1] };
-    if (d[0] * d[0] + d[1] * d[1] >= reach * reach)
+    d = this->Points[j] - this->Points[i];
+    if (Dot(d, d) >= reach * reach)
     {
       break;
     }
@@ -211,7 +212,7 @@ ContourCurve::Fit ContourCurve::FitAt(Index i, double window) const
   if (!(length > 0.0))
   {
     const Point2 &p = this->Points[this->Before(i)], &q = this->Points[this->After(i)];
-    fit.Tangent = { q[0] - p[0], q[1] - p[1] };
+    fit.Tangent = q - p;
     length = std::hypot(fit.Tangent[0], fit.Tangent[1]);
   }
   const double inverse = length > 0.0 ? 1.0 / length : 0.0;
