@@ -6,11 +6,11 @@
  */
 
 #include "Support/CheckSurface.h"
-#include "Support/Vtk/DataSets.h"
 #include "Support/FilterRun.h"
 #include "Support/RandomInput.h"
 #include "Support/SliceSolid.h"
 #include "Support/Stages.h"
+#include "Support/Vtk/DataSets.h"
 #include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkAppendPolyData.h"

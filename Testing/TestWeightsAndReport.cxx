@@ -9,10 +9,10 @@
  */
 
 #include "Support/CheckSurface.h"
-#include "Support/Vtk/DataSets.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/SliceSolid.h"
+#include "Support/Vtk/DataSets.h"
 #include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkCellData.h"
@@ -565,7 +565,7 @@ const std::string CubeWithoutLid = "x=1: 0.5,0.5 2.5,0.5 2.5,2.5 0.5,2.5\n"
                                    "z=1: 0.5,0.5 2.5,0.5 2.5,2.5 0.5,2.5\n";
 }
 
-TEST(Report, NamesTheSliceThatWasOverruled)
+TEST(ReportOfFilter, NamesTheSliceThatWasOverruled)
 {
   // The slice z = 2 is drawn in the wrong place.
   FilterRun run(ParsePieces(CubeWithoutLid + "z=2: 5,5 7,5 7,7 5,7"));
@@ -586,7 +586,7 @@ TEST(Report, NamesTheSliceThatWasOverruled)
 }
 
 //----------------------------------------------------------------------------
-TEST(Report, CountsSnippedCrossingsAboveTheTolerance)
+TEST(ReportOfFilter, CountsSnippedCrossingsAboveTheTolerance)
 {
   // Between y = 1.2 and 1.4 the slice z = 2 does not reach as far as x = 2; the slice x = 2 does not
   // know.
@@ -614,7 +614,7 @@ TEST(Report, CountsSnippedCrossingsAboveTheTolerance)
 }
 
 //----------------------------------------------------------------------------
-TEST(Report, SaysThatContoursAsDrawnBoundTheOutside)
+TEST(ReportOfFilter, SaysThatContoursAsDrawnBoundTheOutside)
 {
   FilterRun run(ParsePieces("x=0: -1,-1 -1,1 1,1 1,-1; y=0: -1,-1 -1,1 1,1 1,-1\n"
                             "z=0: -1,-1 -1,1 1,1 1,-1"));
@@ -648,7 +648,7 @@ bool IsRight(const DataSet& data, FilterRun& run)
 }
 
 /// Although up to 84 places are undecided, of which the table tells.
-TEST(Report, SaysNothingAboutShapesThatComeOutRight)
+TEST(ReportOfFilter, SaysNothingAboutShapesThatComeOutRight)
 {
   int right = 0;
   for (const DataSet& data : AllDataSets())
@@ -681,7 +681,7 @@ TEST(Report, SaysNothingAboutShapesThatComeOutRight)
 }
 
 //----------------------------------------------------------------------------
-TEST(Report, SaysNothingOfOneFamilyWhoseContoursOverlap)
+TEST(ReportOfFilter, SaysNothingOfOneFamilyWhoseContoursOverlap)
 {
   FilterRun run;
   run.SetInputs(PieceSets{ Pieces(), Pieces(), ReadPieceSets({ "heart", 1, 1, true }, 32)[2] });

@@ -14,7 +14,7 @@ source Testing/install-dependencies.sh
 
 case=${1:-heart}
 slices=${2:-n32}
-folder=build/paraview
+folder=build/demo/paraview
 out=build/demo
 
 mkdir -p "$out"

@@ -27,17 +27,24 @@ install_packages()
     -o Dpkg::Use-Pty=0 "${missing[@]}" > /dev/null
 }
 
-# Compiler, CMake, GoogleTest and ParaView with its development files.
+# Compiler, CMake, GoogleTest and ParaView with its development files; and the packages given.
 install_dependencies()
 {
   install_packages g++ cmake ninja-build python3-dev libgtest-dev libcgal-dev libopenmpi-dev \
-    openmpi-bin paraview paraview-dev python3-paraview libtbb-dev libglew-dev libfreetype-dev xvfb xauth
+    openmpi-bin paraview paraview-dev python3-paraview libtbb-dev libglew-dev libfreetype-dev xvfb \
+    xauth "$@"
 }
 
-# The fuzzer: clang with its runtime libraries, among them libFuzzer.
-install_fuzzer()
+# What the core is built with and looked at by clang-tidy.
+install_tidy()
 {
-  install_packages clang libclang-rt-14-dev
+  install_packages g++ cmake ninja-build clang-tidy
+}
+
+# What the core is built and tested with, and gcovr.
+install_coverage()
+{
+  install_packages g++ cmake ninja-build python3 libgtest-dev libcgal-dev gcovr
 }
 
 # Plain VTK in the folder $1. Debian refuses to install it beside ParaView's Python, so its packages

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/CheckSurface.h"
 
-#include "Core/Reconstruct.h"
-#include "Core/Slices/AssembleContours.h"
 #include "Support/Random.h"
 
 #include <algorithm>

@@ -4,7 +4,8 @@
  * @file
  * @brief   independent checker of the guarantees on a plain list of triangles
  *
- * Slow and obvious on purpose; shares no code with the reconstruction. Everything but volumes and
+ * Slow and obvious on purpose; shares no code with the reconstruction, only its plain types of data
+ * (contours, the planes of the grid, the kind of orientation). Everything but volumes and
  * winding numbers is counted from the point ids alone: two points at the same place are two points.
  */
 
@@ -20,8 +21,6 @@
 
 namespace orthoslices
 {
-struct Options;
-
 namespace support
 {
 
@@ -70,7 +69,7 @@ struct SideCheck
 };
 
 /**
- * At up to `most` random vertices of the grid: the surface has to enclose those, and only those,
+ * At up to `maximum` random vertices of the grid: the surface has to enclose those, and only those,
  * that lie inside for at least two of the three slices through them. A slice says so by the
  * winding number of its contours; if they are trusted as drawn and run clockwise on the whole, they
  * bound the outside.

@@ -192,7 +192,7 @@ void CylinderBuilder::AddSeedsAbove(Index lower, Index middle, std::vector<Seed>
     return;
   }
   const Parameters predicted = this->Extrapolate(lower, middle, slice);
-  const double slope = Norm(CenterOffset(this->Values[lower], this->Values[middle]));
+  const double slope = Length(CenterOffset(this->Values[lower], this->Values[middle]));
   this->VisitNear(slice, predicted.Center, MaxError * scale,
     [&](Index upper)
     {
@@ -269,7 +269,7 @@ CylinderBuilder::Found CylinderBuilder::NearestAlike(Index contour, Direction di
     const double scale = std::min(this->Scale(contour), this->Scale(other));
     const double reach = this->Ellipses[contour].Major + this->Ellipses[other].Major;
     if (this->IsAlone(other) && this->MayBelong(contour, other) &&
-      Norm(ShapeOffset(a, b)) <= MaxChange * scale && Norm(CenterOffset(a, b)) <= reach &&
+      Norm(ShapeOffset(a, b)) <= MaxChange * scale && Length(CenterOffset(a, b)) <= reach &&
       Distance(a, b) < best.Error)
     {
       best = { other, Distance(a, b) };
@@ -314,8 +314,8 @@ void CylinderBuilder::JoinEnds(Direction direction)
     for (const Index other : this->BySlice[slice])
     {
       const Parameters back = this->PredictBeyond(other, Opposite(direction));
-      const double error = std::min(Norm(CenterOffset(beyond, this->Values[other])),
-                             Norm(CenterOffset(back, this->Values[end]))) /
+      const double error = std::min(Length(CenterOffset(beyond, this->Values[other])),
+                             Length(CenterOffset(back, this->Values[end]))) /
         this->Scale(end);
       if (this->MayBelong(end, other) && error < best.Error &&
         (DoOverlap(EllipseOfShape(beyond.Center, beyond.Shape), this->Ellipses[other]) ||

@@ -126,7 +126,7 @@ std::string CheckEmbedding(const SpatialGrid& grid, const GridCrossings& crossin
     at.first = face;
     AddClosedCurve(points, at.second);
   }
-  for (const auto& face : curves)
+  for (auto& face : curves)
   {
     if (!AreSimple(face.second.second))
     {

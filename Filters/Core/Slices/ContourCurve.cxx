@@ -24,7 +24,7 @@ void ContourCurve::Set(std::vector<Point2>&& points)
 double ContourCurve::Distance(Index i, Index j) const
 {
   const Point2 &p = this->Points[i], &q = this->Points[j];
-  return Distance(p, q);
+  return orthoslices::Distance(p, q);
 }
 
 /// The difference to the first point that is `reach` away.

@@ -3,7 +3,6 @@
 #include "Core/Cells/DoubtfulJoins.h"
 
 #include "Core/Reconstruct.h"
-#include "Support/Stages.h"
 #include "Support/TextContours.h"
 
 #include <gtest/gtest.h>
@@ -26,8 +25,8 @@ protected:
     for (int z = 0; z < 4; ++z)
     {
       const std::string high = std::to_string(wide);
-      text += "z=" + std::to_string(z) + ": 0,0 " + high + ",0 " + high + "," + high + " 0," + high +
-        "; 5,0 6,0 6,1 5,1\n";
+      text += "z=" + std::to_string(z) + ": 0,0 " + high + ",0 " + high + "," + high + " 0," +
+        high + "; z=" + std::to_string(z) + ": 5,0 6,0 6,1 5,1\n";
     }
     Options options;
     options.Several = SeveralCycles::Discs;

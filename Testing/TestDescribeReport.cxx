@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/DescribeReport.h"
+
+#include "Core/Reconstruct.h"
+#include "Support/TextContours.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+/// The surface of a cube that has nothing to report; tests add what is worth a warning.
+class Report : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    this->Result = Reconstruct(ParsePieces("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1\n"
+                                           "z=0: -1,-1 1,-1 1,1 -1,1"),
+      Options(), Execution());
+    this->Settings.Tolerance = 0.1;
+    ASSERT_EQ(this->Text(), "");
+  }
+
+  std::string Text() const { return DescribeReport(this->Result, this->Settings); }
+
+  void AddRepair(RepairKind kind) { this->Result.Repairs.push_back({ kind, 2, 0, {}, 1.0 }); }
+
+  Reconstruction Result;
+  ReportSettings Settings;
+};
+
+bool Contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+/// Every message is a paragraph of its own.
+std::ptrdiff_t CountMessages(const std::string& text)
+{
+  return std::count(text.begin(), text.end(), '\n');
+}
+}
+
+//----------------------------------------------------------------------------
+TEST(DescribeProblems, NamesPortCellAndPlaceOfTheFirstTen)
+{
+  EXPECT_EQ(DescribeProblems({}), "");
+  const struct
+  {
+    ProblemKind Kind;
+    const char* Text;
+  } kinds[] = { { ProblemKind::NotFinite, "has a coordinate that is not finite" },
+    { ProblemKind::OffPlane, "leaves its plane" }, { ProblemKind::Open, "is open" },
+    { ProblemKind::CrossesItself, "crosses itself" },
+    { ProblemKind::CrossesOther, "crosses another contour of its slice" } };
+  for (const auto& kind : kinds)
+  {
+    Problem problem;
+    problem.Kind = kind.Kind;
+    problem.Port = 1;
+    problem.Cell = 17;
+    problem.Where = { 1.0, 2.5, -3.0 };
+    EXPECT_EQ(DescribeProblems({ problem }),
+      std::string("\n  port 1 (y-slices), cell 17: the contour ") + kind.Text + " at (1, 2.5, -3)");
+    const std::string many = DescribeProblems(std::vector<Problem>(12, problem));
+    EXPECT_EQ(CountMessages(many), 11);
+    EXPECT_TRUE(Contains(many, "\n  and 2 more"));
+    EXPECT_FALSE(Contains(DescribeProblems(std::vector<Problem>(10, problem)), "more"));
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, NamesContoursThatWereLeftOut)
+{
+  this->Result.Invalid.resize(1);
+  this->Result.Invalid[0].Kind = ProblemKind::Open;
+  EXPECT_TRUE(Contains(this->Text(), "1 contours were left out:\n  port 0"));
+  EXPECT_EQ(CountMessages(this->Text()), 2);
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, SaysWhatBecameOfContoursThatCross)
+{
+  this->Result.CrossingProblems.resize(1);
+  this->Result.CrossingProblems[0].Kind = ProblemKind::CrossesItself;
+  EXPECT_TRUE(Contains(this->Text(), "1 contours cross and were repaired:"));
+  this->Settings.RepairsCrossing = false;
+  EXPECT_TRUE(Contains(this->Text(), "1 contours cross and were left out:"));
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, CountsPlacesWhereContoursWereTakenApart)
+{
+  this->AddRepair(RepairKind::ArcsRedrawn);
+  this->AddRepair(RepairKind::ArcsReconnected);
+  this->AddRepair(RepairKind::ArcsUncrossed);
+  EXPECT_TRUE(Contains(this->Text(), "taken apart, at 3 places"));
+  EXPECT_EQ(CountMessages(this->Text()), 1);
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, PatchesThatWereSeparatedAreNotWorthAWarning)
+{
+  this->AddRepair(RepairKind::PatchesSeparated);
+  EXPECT_EQ(this->Text(), "");
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, NamesTheSliceThatWasOverruledMost)
+{
+  this->Result.Reconciled.Vertices = 3;
+  this->Result.Reconciled.Edges = 5;
+  EXPECT_EQ(this->Text(), "") << "none of them above the tolerance";
+  this->AddRepair(RepairKind::VertexRelabelled);
+  this->AddRepair(RepairKind::VertexRelabelled);
+  this->AddRepair(RepairKind::CrossingsSnipped);
+  const std::string text = this->Text();
+  EXPECT_TRUE(Contains(text, "contradict each other at 3 grid vertices and on 5 grid edges"));
+  EXPECT_TRUE(Contains(text, "overruled: the slice z = 0, at 2 grid vertices"));
+  EXPECT_EQ(CountMessages(text), 1);
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, DisagreementsCountAboveTheTolerance)
+{
+  // The z-slice reaches 0.5 farther along +y than the x-slice.
+  this->Result = Reconstruct(ParsePieces("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1\n"
+                                         "z=0: -1,-1 1,-1 1,1.5 -1,1.5"),
+    Options(), Execution());
+  this->Settings.Tolerance = 0.49;
+  EXPECT_TRUE(Contains(this->Text(), "by more than 0.49 at 1 of 6 node points"));
+  EXPECT_TRUE(Contains(this->Text(), "Least agreement: the slice x = 0"));
+  this->Settings.Tolerance = 0.51;
+  EXPECT_EQ(this->Text(), "");
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, SaysThatTheSurfaceIsInsideOut)
+{
+  this->Result.InsideOut = true;
+  EXPECT_TRUE(Contains(this->Text(), "inside out"));
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, CountsPatchesBetweenPlanesTooClose)
+{
+  this->Result.DoubtfulCycles = 7;
+  EXPECT_TRUE(Contains(this->Text(), "that 7 patches between them may touch"));
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, CountsContoursThatTakeNoPart)
+{
+  Options options;
+  options.MinIsolatedContour = 0.2;
+  this->Result =
+    Reconstruct(ParsePieces("z=0: 0,0 9,0 9,9 0,9; z=1: 0,0 9,0 9,9 0,9; z=2: 4,4 5,4 5,5 4,5"),
+      options, Execution());
+  EXPECT_TRUE(Contains(this->Text(), "1 contours without node points"));
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, NamesADoubtAndTheSliceThatSettlesIt)
+{
+  // Two stacks of squares side by side.
+  this->Result = Reconstruct(ParsePieces("z=0: 0,0 2,0 2,2 0,2; z=0: 5,0 7,0 7,2 5,2\n"
+                                         "z=1: 0,0 2,0 2,2 0,2; z=1: 5,0 7,0 7,2 5,2"),
+    Options(), Execution());
+  ASSERT_FALSE(this->Result.Joins.empty());
+  for (CycleJoin& join : this->Result.Joins)
+  {
+    join.Evidence = 5.0;
+  }
+  EXPECT_EQ(this->Text(), "");
+  this->Result.Joins.front().Evidence = 0.1;
+  this->Result.Joins.front().Chosen = true;
+  const std::string text = this->Text();
+  EXPECT_TRUE(Contains(text, "At 1 places the slices hardly say")) << text;
+  EXPECT_TRUE(Contains(text, "would settle 1 of them")) << text;
+  EXPECT_EQ(CountMessages(text), 1);
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, ComparesTheTopologyWithWhatIsExpected)
+{
+  this->Settings.Expected = { 1, 0 };
+  EXPECT_EQ(this->Text(), "");
+  this->Settings.Expected = { 2, 3 };
+  EXPECT_TRUE(Contains(this->Text(), "has 1 components, not 2 as expected"));
+  EXPECT_TRUE(Contains(this->Text(), "has genus 0, not 3 as expected"));
+  EXPECT_EQ(CountMessages(this->Text()), 2);
+}
