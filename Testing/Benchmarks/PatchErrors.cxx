@@ -7,14 +7,15 @@
  *
  *   PatchErrors [planes ...]
  *
- * For each number of planes on each axis (default: 10, 16 and 24) and each kind of contours one row:
+ * For each number of planes on each axis (default: 10, 16 and 24) and each kind of contours one
+ * row:
  *   exact   cuts of five smooth solids (AllSmoothSolids)
  *   noisy   the same, vertices moved within their planes by up to 3 % of the plane spacing
  *   coarse  the same with every fourth vertex of the contours
  * Columns: root mean square and 99th percentile of the distance from the surface to the solid, in
- * hundredths of the plane spacing, at the vertices inside patches and the centres of triangles; root
- * mean square angle of the normals at the points of the contours, in degrees;
- * share of polygons that are left as fans, in percent. Rows are means over the solids.
+ * hundredths of the plane spacing, at the vertices inside patches and the centres of triangles;
+ * root mean square angle of the normals at the points of the contours, in degrees; share of
+ * polygons that are left as fans, in percent. Rows are means over the solids.
  */
 
 #include "Core/Base/Vectors.h"

@@ -9,8 +9,8 @@
 
 namespace orthoslices
 {
-/// The crossings of all contours, for the stage that makes the slices agree. It is the only one that
-/// changes them.
+/// The crossings of all contours, for the stage that makes the slices agree. It is the only one
+/// that changes them.
 struct CrossingTables
 {
   const SpatialGrid& Grid;

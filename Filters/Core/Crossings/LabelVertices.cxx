@@ -60,7 +60,8 @@ bool IsDoubtful(const int winding[2])
   return winding[0] != winding[1] || winding[0] < 0 || winding[0] > 1;
 }
 
-/// Adds the vertices from the upper end of the edge to the lower end of slab `end` of the same grid line.
+/// Adds the vertices from the upper end of the edge to the lower end of slab `end` of the same grid
+/// line.
 void VertexLabeller::AddDoubts(
   const GridEdge& edge, Index end, const int winding[2], std::vector<Doubt>& doubts) const
 {
@@ -79,8 +80,8 @@ void VertexLabeller::AddDoubts(
   }
 }
 
-/// Finds doubtful vertices by summing the signs of crossings along every grid line. A vertex with any
-/// doubt is found on two of its three lines.
+/// Finds doubtful vertices by summing the signs of crossings along every grid line. A vertex with
+/// any doubt is found on two of its three lines.
 std::vector<Doubt> VertexLabeller::FindDoubts() const
 {
   std::vector<Doubt> doubts;
@@ -118,7 +119,8 @@ int VertexLabeller::Vote(const std::array<int, 3>& winding) const
   return inside != outside ? inside > outside : winding[heaviest] > 0;
 }
 
-/// The repair of a slice that is overruled at a vertex. REQUIRES: its crossings are not changed yet.
+/// The repair of a slice that is overruled at a vertex. REQUIRES: its crossings are not changed
+/// yet.
 Repair VertexLabeller::Describe(const Correction& correction) const
 {
   const int u = FirstAxis(correction.Axis);

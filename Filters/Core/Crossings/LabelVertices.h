@@ -12,10 +12,10 @@ namespace orthoslices
 {
 /**
  * The first step of ReconcileSlices: at every vertex of M its three slices get the winding number
- * of the label, inside or outside, that has the greater weight; with equal weights, the median; with
- * two opposite halves, that of the heaviest slice. Windings beyond 0 and 1, of contours that cross
- * themselves, become 0 or 1, too. Into a slice that differs, infinitesimal loops around the vertex
- * are inserted: four crossings at the vertex each.
+ * of the label, inside or outside, that has the greater weight; with equal weights, the median;
+ * with two opposite halves, that of the heaviest slice. Windings beyond 0 and 1, of contours that
+ * cross themselves, become 0 or 1, too. Into a slice that differs, infinitesimal loops around the
+ * vertex are inserted: four crossings at the vertex each.
  *
  * Returns the number of vertices on which the slices did not agree, and appends a repair for each
  * slice that was overruled at one. Where they agree everywhere, nothing is changed.

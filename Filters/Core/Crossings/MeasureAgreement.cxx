@@ -21,8 +21,9 @@ double Agreement::RootMeanSquare() const
 
 namespace
 {
-/// Determinant of the equations by their squared trace below which all normals count as parallel. It
-/// is about a quarter of the squared angle between them: 6e-5 radians, far less than contours tell.
+/// Determinant of the equations by their squared trace below which all normals count as parallel.
+/// It is about a quarter of the squared angle between them: 6e-5 radians, far less than contours
+/// tell.
 constexpr double MinDeterminant = 1e-9;
 
 /// Least squares for the shift (u, v) of one slice.

@@ -14,15 +14,15 @@ namespace
 /**
  * Half the length of contour over which a tangent is measured, as a part of the mean plane spacing.
  * Over less, noise of the contours would turn it: 1 % of the spacing by 0.1 radians. Over more, the
- * contour bends: the parabola's error is a sixth of the window's square by that of the radius, 1 % at
- * a radius of 0.4 spacings, less than slices can resolve.
+ * contour bends: the parabola's error is a sixth of the window's square by that of the radius, 1 %
+ * at a radius of 0.4 spacings, less than slices can resolve.
  */
 constexpr double TangentWindow = 0.1;
 
 /**
  * Tangent of a contour at a crossing in its slice (u, v), of unit length: derivative of the
- * parabola through the crossing and one vertex on each side of it, at least TangentWindow away where
- * the contour goes so far.
+ * parabola through the crossing and one vertex on each side of it, at least TangentWindow away
+ * where the contour goes so far.
  */
 class TangentAtCrossing
 {

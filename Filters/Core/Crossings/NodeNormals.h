@@ -14,8 +14,8 @@ namespace orthoslices
 /// The direction to the right of a contour on a slice across `axis`, where outside lies.
 Point3 RightOf(const Point3& along, int axis);
 
-/// Normal from the tangents of two contours on slices across two axes; zero where these do not agree
-/// on which side is outside.
+/// Normal from the tangents of two contours on slices across two axes; zero where these do not
+/// agree on which side is outside.
 Point3 OutwardNormal(const Point3& first, int firstAxis, const Point3& second, int secondAxis);
 
 /**

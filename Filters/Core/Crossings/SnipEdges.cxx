@@ -128,7 +128,8 @@ void EdgeSnipper::ReportSnip(Index a, Index b)
       std::abs(to - from) });
 }
 
-/// Takes two crossings out: on each side of the crossed plane, the arc that ends at one of the two goes on from the other.
+/// Takes two crossings out: on each side of the crossed plane, the arc that ends at one of the two
+/// goes on from the other.
 void EdgeSnipper::Snip(Index a, Index b)
 {
   if (!this->IsInserted(a) || !this->IsInserted(b))

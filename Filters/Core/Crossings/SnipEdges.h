@@ -21,8 +21,8 @@ namespace orthoslices
  * in itself by that is appended to tables.Isolated, if it has three vertices or more.
  *
  * Returns the number of edges from which crossings of contours were taken, and appends a repair for
- * each pair of them. Afterwards every edge has the same number of crossings from both families, with
- * alternating signs, in the same order. `background` is the winding number far away.
+ * each pair of them. Afterwards every edge has the same number of crossings from both families,
+ * with alternating signs, in the same order. `background` is the winding number far away.
  */
 Index SnipEdges(const CrossingTables& tables, int background, std::vector<Repair>& repairs);
 }

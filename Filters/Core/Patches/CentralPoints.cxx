@@ -12,12 +12,12 @@ namespace orthoslices
 {
 namespace
 {
-/// The greatest height of a dome over a loop, as a part of the cell's width. The slices only say that
-/// the surface ends within the cell: the expected height of a top that may be anywhere in it.
+/// The greatest height of a dome over a loop, as a part of the cell's width. The slices only say
+/// that the surface ends within the cell: the expected height of a top that may be anywhere in it.
 constexpr double MaxDome = 0.5;
 
-/// The greatest height of a central point over the centroid, in mean radii of the polygon. That of a
-/// hemisphere over its rim is 1: a quadratic that is higher has left the data.
+/// The greatest height of a central point over the centroid, in mean radii of the polygon. That of
+/// a hemisphere over its rim is 1: a quadratic that is higher has left the data.
 constexpr double MaxHeight = 1.0;
 
 /// Finds the central point of one spatial polygon.

@@ -13,13 +13,13 @@ namespace
 /**
  * Weight of the middle of the border, where that of all its tangent planes is 1. Along an edge that
  * crosses the cell straight the planes leave the point's place open: it stays beside the middle. A
- * vertex where planes meet is moved towards the middle by a few thousandths of its distance from it.
+ * vertex where planes meet is moved towards the middle by a few thousandths of its distance from
+ * it.
  */
 constexpr double WeightOfMiddle = 1e-3;
 
-/// How far the point may lie from the middle of the border, in its mean radii: planes that are nearly
-/// parallel meet anywhere. The corner of a cube in the middle of its
-/// cell is 1.1 radii off.
+/// How far the point may lie from the middle of the border, in its mean radii: planes that are
+/// nearly parallel meet anywhere. The corner of a cube in the middle of its cell is 1.1 radii off.
 constexpr double MaxOffset = 1.5;
 }
 

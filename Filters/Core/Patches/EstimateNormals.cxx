@@ -21,8 +21,8 @@ struct ArcRing
   std::vector<Index> Crossing; ///< of each point, or None
 };
 
-/// A tilt of which nothing is known is taken as 0. At a node point it says little beside that of the
-/// other contour, and all if that one knows nothing either: so any weight much below 1 will do.
+/// A tilt of which nothing is known is taken as 0. At a node point it says little beside that of
+/// the other contour, and all if that one knows nothing either: so any weight much below 1 will do.
 constexpr double WeightOfUnknownTilt = 1e-3;
 
 class NormalEstimator
@@ -73,8 +73,8 @@ int NormalEstimator::AxisOf(Index crossing) const
                                                         : SecondAxis(direction);
 }
 
-/// One crossing of each contour, by the axis of its slice: always the same one, however contours are
-/// numbered.
+/// One crossing of each contour, by the axis of its slice: always the same one, however contours
+/// are numbered.
 std::array<std::vector<Index>, 3> NormalEstimator::FindRings() const
 {
   const GridCrossings& crossings = this->Geometry.Crossings;

@@ -27,8 +27,8 @@ struct SurfaceNormals
  *
  * Tangents are those of cubics fitted over a length that suits the noise of each contour. Nothing
  * is fitted or interpolated across corners, where a contour turns by more than `cornerAngle`
- * (radians). Loops have the normals of their contour in its plane, tilted so that their component along
- * the axis of the slice is that of `loopTilts`, from -1 to 1; all 0 if empty.
+ * (radians). Loops have the normals of their contour in its plane, tilted so that their component
+ * along the axis of the slice is that of `loopTilts`, from -1 to 1; all 0 if empty.
  */
 SurfaceNormals EstimateNormals(const CycleGeometry& geometry, double cornerAngle,
   const std::vector<double>& loopTilts, const Execution& execution);

@@ -15,7 +15,7 @@ namespace orthoslices
  * How spatial polygons are filled (the paper's section 5 leaves it open).
  *
  * A new type of patch takes
- *   1. a value here (at the end: the numbers are those of the filter's property), and the answers of
+ *   1. a value here (last: the numbers are those of the filter's property), and the answers of
  *      NeedsNormals and GivesNormals for it;
  *   2. a function in InnerPatches.cxx that builds the patch of one polygon, from its border to an
  *      InnerPatch, and its name in FillerOf there;

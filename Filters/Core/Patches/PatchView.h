@@ -13,8 +13,8 @@ namespace orthoslices
 {
 /**
  * The most by which lines spread, as the border's mean radius by the distance of their centre. The
- * normals of a patch that is bent more point so far apart that a centre says nothing of it. Half the
- * value makes exact cuts worse by 0.4 % at most, twice as much changes nothing
+ * normals of a patch that is bent more point so far apart that a centre says nothing of it. Half
+ * the value makes exact cuts worse by 0.4 % at most, twice as much changes nothing
  * (Testing/Benchmarks/PatchErrors).
  */
 constexpr double MaxBend = 1.2;

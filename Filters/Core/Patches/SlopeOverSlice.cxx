@@ -10,9 +10,9 @@ namespace
 {
 /**
  * Added to the diagonal for the monomials of each degree: keeps coefficients small of which the
- * contour says little, so that of all fitting heights the flattest is taken. Data count about 1 each
- * in the units that places are taken in, so these give way to any data, and are far above rounding
- * (1e-16); higher degrees, which fewer points determine, are held more firmly.
+ * contour says little, so that of all fitting heights the flattest is taken. Data count about 1
+ * each in the units that places are taken in, so these give way to any data, and are far above
+ * rounding (1e-16); higher degrees, which fewer points determine, are held more firmly.
  */
 constexpr double Flattening[] = { 1e-12, 1e-12, 1e-8, 1e-7 };
 

@@ -9,19 +9,20 @@ namespace orthoslices
 namespace
 {
 // Lengths are in mean radii of the border, as everywhere in PatchView. Half and twice as much of
-// MinSlope, MaxDeviation and MaxStep change the errors that Testing/Benchmarks/PatchErrors prints by
-// less than 0.05 %.
+// MinSlope, MaxDeviation and MaxStep change the errors that Testing/Benchmarks/PatchErrors prints
+// by less than 0.05 %.
 
-/// Slope of the function along a line below which it says nothing of where the zero is. The gradient
-/// is about 1 where the surface is: there the line meets it at less than 6 degrees.
+/// Slope of the function along a line below which it says nothing of where the zero is. The
+/// gradient is about 1 where the surface is: there the line meets it at less than 6 degrees.
 constexpr double MinSlope = 0.1;
 
-/// Sides of the border that are shorter do not make the triangles beside them as small: points would
-/// crowd around them.
+/// Sides of the border that are shorter do not make the triangles beside them as small: points
+/// would crowd around them.
 constexpr double MinSide = 1e-3;
 
-/// How far zeros may lie from the middle of the border, or from its heights. The top of a hemisphere
-/// lies 1 off the middle of its rim: farther zeros are others, of another part of the function.
+/// How far zeros may lie from the middle of the border, or from its heights. The top of a
+/// hemisphere lies 1 off the middle of its rim: farther zeros are others, of another part of the
+/// function.
 constexpr double MaxDeviation = 1.5;
 
 /// Normals of the border nearer to the middle than this (its border may pass close by) count as so
@@ -39,18 +40,19 @@ constexpr double MaxPolynomialStep = 1e-3;
 /// Step of the function that is the last one: the next would be about its square, 1e-10.
 constexpr double LastStep = 1e-5;
 
-/// After that many steps there is none near: MaxDeviation takes 5 of MaxStep, and convergence some 5.
+/// After that many steps there is none near: MaxDeviation takes 5 of MaxStep, and convergence some
+/// 5.
 constexpr int MaxSteps = 16;
 
-/// Distance of the places at which a sign is looked for where Newton's method fails: 25 on each side
-/// up to MaxDeviation. Sheets of the function closer than that are not told apart.
+/// Distance of the places at which a sign is looked for where Newton's method fails: 25 on each
+/// side up to MaxDeviation. Sheets of the function closer than that are not told apart.
 constexpr double SearchStep = 0.06;
 
 /// Bisections of a SearchStep: to 6e-11.
 constexpr int SearchBisections = 30;
 
-/// How many times as far as the nearest place in the cell a place on the line may be. Where the line
-/// runs along a face of the cell, any place on it in the cell may be far off the surface.
+/// How many times as far as the nearest place in the cell a place on the line may be. Where the
+/// line runs along a face of the cell, any place on it in the cell may be far off the surface.
 constexpr double MaxDetour = 3.0;
 
 /// Points of a border times points inside: all of a border's points count for each. That many take

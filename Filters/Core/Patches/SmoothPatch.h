@@ -21,8 +21,8 @@ struct PatchResolution
 /**
  * Builds smooth patches (our own addition): the border seen in the plane (PatchView) is
  * triangulated with points inside (DiscTriangulation), and each of these is moved along its line
- * to where a smooth surface is (SmoothSurface), but not out of the cell. Borders of a thousand points
- * and more get fewer points inside than the resolution asks for.
+ * to where a smooth surface is (SmoothSurface), but not out of the cell. Borders of a thousand
+ * points and more get fewer points inside than the resolution asks for.
  */
 class SmoothPatchBuilder
 {

@@ -12,9 +12,9 @@ namespace orthoslices
 {
 namespace
 {
-/// The degree of the polynomial. Its error falls with the fifth power of the patch's size; that of the normals it
-/// is fitted to falls with the third power, and makes heights wrong by the fourth. So a higher degree
-/// would gain nothing, and a lower one would lose what the normals tell.
+/// The degree of the polynomial. Its error falls with the fifth power of the patch's size; that of
+/// the normals it is fitted to falls with the third power, and makes heights wrong by the fourth.
+/// So a higher degree would gain nothing, and a lower one would lose what the normals tell.
 constexpr int Degree = 4;
 
 /// Products with normals are derivatives of monomials, which have one degree less.
@@ -32,9 +32,9 @@ constexpr double Softening = 1e-24;
  */
 constexpr double Fading = 5.0;
 
-/// Added to the diagonal for the monomials of each degree: keeps coefficients small of which the border
-/// says little, so that the flattest surface is taken. Data count about 1, so these give way to them.
-/// Half and twice as much change distances by 0.1 % (Testing/Benchmarks/PatchErrors).
+/// Added to the diagonal for the monomials of each degree: keeps coefficients small of which the
+/// border says little, so that the flattest surface is taken. Data count about 1, so these give way
+/// to them. Half and twice as much change distances by 0.1 % (Testing/Benchmarks/PatchErrors).
 constexpr double Flattening[Degree + 1] = { 1e-12, 1e-12, 1e-7, 1e-5, 1e-4 };
 }
 

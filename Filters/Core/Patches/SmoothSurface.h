@@ -13,11 +13,11 @@ namespace orthoslices
  * The function whose zeros are a smooth patch: near its distance, positive outside (our own
  * addition). It has given zeros and gradients, which are the border of the patch and its normals.
  *
- * First, the function a z + p(x, y) with a polynomial p of degree four that fits zeros and gradients
- * best, in local coordinates with z along the mean normal. What that leaves at the border is
- * interpolated inwards from there by the inverse distance method with gradients (D. Shepard, 1968)
- * and added, fading out. The gradient at the border is the given one, whatever the polynomial is:
- * patches that have an arc and its normals in common meet with a common tangent plane. The
+ * First, the function a z + p(x, y) with a polynomial p of degree four that fits zeros and
+ * gradients best, in local coordinates with z along the mean normal. What that leaves at the border
+ * is interpolated inwards from there by the inverse distance method with gradients (D. Shepard,
+ * 1968) and added, fading out. The gradient at the border is the given one, whatever the polynomial
+ * is: patches that have an arc and its normals in common meet with a common tangent plane. The
  * polynomial has the accuracy: its error grows with the fifth power of the size of the patch.
  */
 class SmoothSurface

@@ -11,29 +11,29 @@ namespace orthoslices
 {
 namespace
 {
-// The percentages are changes of the errors that Testing/Benchmarks/PatchErrors prints for 10 and 16
-// planes.
+// The percentages are changes of the errors that Testing/Benchmarks/PatchErrors prints for 10 and
+// 16 planes.
 
 /**
- * Tilt, in radians, beyond which the height over the slice is fitted: its slope is then above 1/2, so
- * that the tilt is well determined by it. Half and twice as much change the distances to exact cuts by
- * +3 % and -10 % at most and the angles of their normals by -5 % and -20 %; a greater value has not
- * been judged by other data yet.
+ * Tilt, in radians, beyond which the height over the slice is fitted: its slope is then above 1/2,
+ * so that the tilt is well determined by it. Half and twice as much change the distances to exact
+ * cuts by +3 % and -10 % at most and the angles of their normals by -5 % and -20 %; a greater value
+ * has not been judged by other data yet.
  */
 constexpr double MinSteepTilt = 0.5;
 
 /// Component across the slice of the unit normals from which the slope over the slice is known: all
-/// steep samples are to take part (the sine of MinSteepTilt is 0.48), with some room for their errors.
-/// Half as much changes nothing.
+/// steep samples are to take part (the sine of MinSteepTilt is 0.48), with some room for their
+/// errors. Half as much changes nothing.
 constexpr double MinUp = 0.45;
 
-/// In radians: a height function that misses known tilts by more is none. It guards against surfaces
-/// that fold over within a few spacings; half and twice as much change nothing.
+/// In radians: a height function that misses known tilts by more is none. It guards against
+/// surfaces that fold over within a few spacings; half and twice as much change nothing.
 constexpr double MaxMissedTilt = 0.1;
 
-/// The length, in mean plane spacings, in which places are given to the fit of a height: about as far
-/// as its data reach from the middle, so that Flattening (SlopeOverSlice.cxx) is small beside them.
-/// With half as much, angles grow by 15 %; with twice as much they fall by 3 to 5 %.
+/// The length, in mean plane spacings, in which places are given to the fit of a height: about as
+/// far as its data reach from the middle, so that Flattening (SlopeOverSlice.cxx) is small beside
+/// them. With half as much, angles grow by 15 %; with twice as much they fall by 3 to 5 %.
 constexpr double SizeOfFit = 1.5;
 
 /// A surface tilted by more than a right angle would have its outside inside the contour.
@@ -165,8 +165,9 @@ void TiltAlongContour::AddPart(Index first, Index count)
   }
 }
 
-/// Fits a height over the slice between a sample and the next one, if the surface is nearly parallel
-/// to the slice there. The samples on either side of the two take part if it is so there, too.
+/// Fits a height over the slice between a sample and the next one, if the surface is nearly
+/// parallel to the slice there. The samples on either side of the two take part if it is so there,
+/// too.
 void TiltAlongContour::FitSlope(std::size_t before)
 {
   const ContourCurve& curve = this->Ring.Measured.Curve;

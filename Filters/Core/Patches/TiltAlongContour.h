@@ -20,10 +20,10 @@ namespace orthoslices
 constexpr double MinSine = 0.15;
 
 /**
- * Node points closer than this along a contour, as a part of the mean plane spacing, count as one. A
- * slope between them would be the difference of their tilts, errors included, by a small length. With
- * half and with twice the value the normals are worse by up to 5 % and 4 %, and better by up to 3 %
- * (Testing/Benchmarks/PatchErrors).
+ * Node points closer than this along a contour, as a part of the mean plane spacing, count as one.
+ * A slope between them would be the difference of their tilts, errors included, by a small length.
+ * With half and with twice the value the normals are worse by up to 5 % and 4 %, and better by up
+ * to 3 % (Testing/Benchmarks/PatchErrors).
  */
 constexpr double MergedNodes = 0.2;
 

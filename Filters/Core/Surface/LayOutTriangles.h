@@ -11,8 +11,8 @@
 namespace orthoslices
 {
 /**
- * The patches of all cycles. Those in Meshes (ascending by their first cycle) join several cycles or
- * are shells; those in Inner have points inside; the others are fans around the central point.
+ * The patches of all cycles. Those in Meshes (ascending by their first cycle) join several cycles
+ * or are shells; those in Inner have points inside; the others are fans around the central point.
  * Patch i has the triangles Offsets[i] to Offsets[i + 1] - 1; a mesh of several cycles is the patch
  * of the first one, and the others have none.
  *

@@ -31,10 +31,10 @@ struct Curvatures
 };
 
 /**
- * Measures curvatures from how the normals change along the sides of triangles (S. Rusinkiewicz, "Estimating Curvatures
- * and Their Derivatives on Triangle Meshes", 2004): in each triangle the best fitting second
- * fundamental form, and at a point the mean over its triangles, weighted by their areas. `normals`
- * are unit vectors, x, y, z of each point.
+ * Measures curvatures from how the normals change along the sides of triangles (S. Rusinkiewicz,
+ * "Estimating Curvatures and Their Derivatives on Triangle Meshes", 2004): in each triangle the
+ * best fitting second fundamental form, and at a point the mean over its triangles, weighted by
+ * their areas. `normals` are unit vectors, x, y, z of each point.
  */
 template <typename Coordinate, typename Id>
 Curvatures MeasureCurvatures(const Coordinate* points, std::size_t pointCount, const float* normals,

@@ -50,8 +50,8 @@ private:
   }
 };
 
-/// Follows the winding numbers of both slices along every grid line, by signs alone: at all vertices
-/// they are the same, 0 or 1.
+/// Follows the winding numbers of both slices along every grid line, by signs alone: at all
+/// vertices they are the same, 0 or 1.
 void ExpectLabels(Registered& data, int background)
 {
   const CrossingTables tables{ data.Grid, data.Crossings, data.Edges, data.Isolated };

@@ -94,8 +94,8 @@ TEST(CentralPoint, CentroidIsThatOfTheArcsByLength)
   const Stages stages{ Cube() };
   // At a corner: six segments of length 1/2. Each point stands for two half ones.
   ExpectNear(CenterIn(stages, CentralPointMethod::Centroid, { 0, 0, 0 }), { 0.75, 0.75, 0.75 });
-  // Along the edge x = y = 0.5: two sides of length 1 at z = 1 and 2 over the corner (0.5, 0.5), and
-  // two sides parallel to z from (0.5, 1) and (1, 0.5).
+  // Along the edge x = y = 0.5: two sides of length 1 at z = 1 and 2 over the corner (0.5, 0.5),
+  // and two sides parallel to z from (0.5, 1) and (1, 0.5).
   ExpectNear(CenterIn(stages, CentralPointMethod::Centroid, { 0, 0, 1 }), { 0.6875, 0.6875, 1.5 });
 }
 

@@ -244,8 +244,8 @@ TEST(SmoothPatch, EdgeLengthIsTheMostWithATolerance)
 }
 
 //----------------------------------------------------------------------------
-/// The normals of triangles at the border come to those that are given there: both patches beside an
-/// arc have one tangent plane.
+/// The normals of triangles at the border come to those that are given there: both patches beside
+/// an arc have one tangent plane.
 TEST(SmoothPatch, TrianglesAtTheBorderHaveTheGivenNormals)
 {
   const auto errorOf = [](int subdivisions)

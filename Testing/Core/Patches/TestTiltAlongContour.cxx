@@ -130,8 +130,8 @@ TEST(TiltAlongContour, ConvergesWithTheThirdPowerOfTheDistanceOfNodePoints)
 }
 
 //----------------------------------------------------------------------------
-/// Near the top of a flat, long ellipsoid the contour turns sharply at its ends, and the tilt changes
-/// as fast there; the height over the slice does not.
+/// Near the top of a flat, long ellipsoid the contour turns sharply at its ends, and the tilt
+/// changes as fast there; the height over the slice does not.
 TEST(TiltAlongContour, OfANearlyParallelSurfaceFollowsItsHeight)
 {
   const Ellipsoid ellipsoid{ { 2.0, 0.7, 0.5 }, 0.42 };
