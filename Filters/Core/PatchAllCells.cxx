@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 namespace orthoslices
 {
@@ -67,6 +68,68 @@ bool LeaveOutThinnest(const std::vector<Index>& cycles, Reconstruction& result)
   return !thinnest.empty();
 }
 
+bool AreSame(const CellCycles& a, const CellCycles& b)
+{
+  return a.Offsets == b.Offsets && a.Cell == b.Cell &&
+    std::equal(a.Arcs.begin(), a.Arcs.end(), b.Arcs.begin(), b.Arcs.end(),
+      [](const HalfArc& p, const HalfArc& q) { return p.Arc == q.Arc && p.Above == q.Above; });
+}
+
+/// Whether two lists of joins are of the same cycles.
+bool AreOfSameCycles(const std::vector<CycleJoin>& a, const std::vector<CycleJoin>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const CycleJoin& p, const CycleJoin& q)
+    { return p.First == q.First && p.Second == q.Second; });
+}
+
+/// Cycles with a join for which the evidence is not what it was. REQUIRES: AreOfSameCycles.
+std::vector<Index> FindReassessed(
+  const std::vector<CycleJoin>& joins, const std::vector<CycleJoin>& before)
+{
+  std::vector<Index> cycles;
+  for (std::size_t i = 0; i < joins.size(); ++i)
+  {
+    if (joins[i].Evidence != before[i].Evidence)
+    {
+      cycles.push_back(joins[i].First);
+    }
+  }
+  return cycles;
+}
+
+/// Cycles whose border or central point is not what it was. REQUIRES: the cycles are the same.
+std::vector<Index> FindChanged(const CycleGeometry& geometry, const NodeGraph& graphBefore,
+  const std::vector<double>& centralPoints, const std::vector<double>& centralPointsBefore)
+{
+  const NodeGraph& graph = geometry.Graph;
+  const auto hasMoved = [&](Index arc)
+  {
+    bool moved = graph.PointCount(arc) != graphBefore.PointCount(arc);
+    for (Index i = 0; !moved && i < graph.PointCount(arc); ++i)
+    {
+      moved = graph.PointAt(graph.FirstPoint(arc) + i) !=
+        graphBefore.PointAt(graphBefore.FirstPoint(arc) + i);
+    }
+    return moved;
+  };
+  const CellCycles& cycles = geometry.Cycles;
+  std::vector<Index> changed;
+  for (Index cycle = 0; cycle < cycles.Count(); ++cycle)
+  {
+    const auto center = centralPoints.begin() + 3 * static_cast<std::ptrdiff_t>(cycle);
+    const auto before = centralPointsBefore.begin() + 3 * static_cast<std::ptrdiff_t>(cycle);
+    const auto first = cycles.Arcs.begin() + cycles.Offsets[cycle];
+    const auto last = cycles.Arcs.begin() + cycles.Offsets[cycle + 1];
+    if (!std::equal(center, center + 3, before) ||
+      std::any_of(first, last, [&](const HalfArc& half) { return hasMoved(half.Arc); }))
+    {
+      changed.push_back(cycle);
+    }
+  }
+  return changed;
+}
+
 class CellPatcher
 {
 public:
@@ -78,6 +141,7 @@ public:
     , Finish(finish)
     , NodeNormals(nodeNormals)
     , Result(result)
+    , Geometry(GeometryOf(result))
   {
   }
 
@@ -86,9 +150,12 @@ public:
 private:
   void EmbedIsolatedContours();
   void PatchCells();
-  KnownPairs PairLoopsOfSlabs();
-  void SeparatePatches(const KnownPairs& known);
-  void NumberComponents();
+  void Trace(CellCycles&& cycles);
+  void PairLoopsOfSlabs();
+  void LocateCenters();
+  void FindCellJoins();
+  void SeparatePatches();
+  void TakePatches();
   void RemoveSmall();
   void DrawArcsApart();
 
@@ -97,7 +164,11 @@ private:
   const std::function<void(Stage)>& Finish;
   std::vector<double>& NodeNormals;
   Reconstruction& Result;
-  std::vector<Index> Unresolved; ///< cycles of cells in which patches may still touch
+  const CycleGeometry Geometry; ///< of the result
+  KnownPairs Known;
+  std::unique_ptr<PatchSeparator> Separator; ///< has the patches that were built last
+  NodeGraph GraphBefore;                     ///< as it was when they were built
+  std::vector<Index> Unresolved;             ///< cycles of cells in which patches may still touch
 };
 
 void CellPatcher::EmbedIsolatedContours()
@@ -108,87 +179,121 @@ void CellPatcher::EmbedIsolatedContours()
   this->Finish(Stage::EmbedIsolated);
 }
 
-/// What is known of loops: what the criterion joins, and the patches of slabs between slices.
-KnownPairs CellPatcher::PairLoopsOfSlabs()
+/// New cycles, for which all cells have to be patched.
+void CellPatcher::Trace(CellCycles&& cycles)
 {
-  KnownPairs known;
+  this->Separator.reset();
+  this->Result.Cycles = std::move(cycles);
+  this->Result.Cells = GroupByCell(this->Result.Grid, this->Result.Cycles, this->Execute);
+}
+
+/// What is known of loops: what the criterion joins, and the patches of slabs between slices.
+void CellPatcher::PairLoopsOfSlabs()
+{
+  this->Known = KnownPairs();
   if (this->Settings.Several != SeveralCycles::ByEvidence || this->Result.Graph.Loops.empty())
   {
-    return known;
+    return;
   }
   const CorrespondenceCriterion criterion = this->Settings.Criterion;
-  known.Pairs = PairLoops(GeometryOf(this->Result), criterion, this->Settings.Known);
-  known.Exclusive = criterion != CorrespondenceCriterion::ByEvidence;
-  StitchedSlabs stitched =
-    StitchSlabs(GeometryOf(this->Result), criterion, known.Pairs, this->Execute);
+  this->Known.Pairs = PairLoops(this->Geometry, criterion, this->Settings.Known);
+  this->Known.Exclusive = criterion != CorrespondenceCriterion::ByEvidence;
+  StitchedSlabs stitched = StitchSlabs(this->Geometry, criterion, this->Known.Pairs, this->Execute);
   if (!stitched.Loops.empty())
   {
     SetLoops(stitched.Loops, this->Result.Graph);
   }
-  known.Patches = std::move(stitched.Patches);
+  this->Known.Patches = std::move(stitched.Patches);
   this->Finish(Stage::StitchSlabs);
-  return known;
 }
 
-/// The patches for the joins that can be made, the best ones first.
-void CellPatcher::SeparatePatches(const KnownPairs& known)
+void CellPatcher::LocateCenters()
+{
+  std::vector<double>& centralPoints = this->Result.Surface.CentralPoints;
+  centralPoints =
+    LocateCentralPoints(this->Settings.Central, this->Geometry, this->NodeNormals, this->Execute);
+  LowerDomes(this->Geometry, this->Result.Cells, this->NodeNormals, centralPoints);
+  this->Finish(Stage::LocateCentralPoints);
+}
+
+void CellPatcher::FindCellJoins()
+{
+  this->Result.Joins.clear();
+  if (this->Settings.Several == SeveralCycles::ByEvidence)
+  {
+    this->Result.Joins = FindJoins(
+      { this->Geometry, this->Result.Cells, this->NodeNormals, this->Result.Surface.CentralPoints },
+      this->Known, this->Execute);
+    this->Finish(Stage::FindJoins);
+  }
+}
+
+/// Builds the patches for the joins that can be made, the best ones first.
+void CellPatcher::SeparatePatches()
 {
   constexpr int maxRounds = 16;
-  const CycleGeometry geometry = GeometryOf(this->Result);
-  const PriorKnowledge& expected = this->Settings.Known;
-  const bool atAnyPrice = expected.Components > 0 || expected.Genus >= 0;
-  PatchSeparator separator(
-    geometry, this->Result.Cells, this->Result.Surface.CentralPoints, known.Patches, atAnyPrice);
   bool done = false;
   for (int round = 1; round <= maxRounds && !done; ++round)
   {
     // Others may do instead of joins that have turned out to be impossible.
     if (!this->Result.Joins.empty())
     {
-      ChooseJoins(geometry, expected, this->Result.Joins);
+      ChooseJoins(this->Geometry, this->Settings.Known, this->Result.Joins);
     }
-    done = separator.Run(this->Execute, this->Result.Joins);
+    done = this->Separator->Run(this->Execute, this->Result.Joins);
   }
-  SeparatedPatches separated = separator.Take();
-  this->Result.SharedCells = separated.SharedCells;
-  this->Result.Surface.Meshes = std::move(separated.Meshes);
-  this->Unresolved = std::move(separated.Unresolved);
-  this->Finish(Stage::SeparatePatches);
+  this->Unresolved = this->Separator->Unresolved();
 }
 
-void CellPatcher::NumberComponents()
+/// Cycles, central points, and the patches that are not fans, of all cells that have changed.
+void CellPatcher::PatchCells()
 {
-  SurfaceComponents components =
-    MeasureTopology(GeometryOf(this->Result), this->Result.Surface.Meshes);
+  Reconstruction& result = this->Result;
+  CellCycles cycles = TraceCycles(result.Grid, result.Crossings, result.Nodes, result.Graph);
+  // Slabs are stitched all together, and give loops other points.
+  const bool isNew =
+    !this->Separator || !this->Known.Patches.empty() || !AreSame(cycles, result.Cycles);
+  if (isNew)
+  {
+    this->Trace(std::move(cycles));
+  }
+  this->Finish(Stage::TraceCycles);
+  this->PairLoopsOfSlabs();
+  const std::vector<double> centersBefore = result.Surface.CentralPoints;
+  this->LocateCenters();
+  const std::vector<CycleJoin> joinsBefore = result.Joins;
+  this->FindCellJoins();
+  if (isNew || !AreOfSameCycles(joinsBefore, result.Joins))
+  {
+    const PriorKnowledge& expected = this->Settings.Known;
+    this->Separator =
+      std::make_unique<PatchSeparator>(this->Geometry, result.Cells, result.Surface.CentralPoints,
+        this->Known.Patches, expected.Components > 0 || expected.Genus >= 0);
+  }
+  else
+  {
+    std::vector<Index> changed = FindReassessed(result.Joins, joinsBefore);
+    const std::vector<Index> moved =
+      FindChanged(this->Geometry, this->GraphBefore, result.Surface.CentralPoints, centersBefore);
+    changed.insert(changed.end(), moved.begin(), moved.end());
+    this->Separator->Forget(changed, result.Joins);
+  }
+  this->SeparatePatches();
+}
+
+/// The patches that were built last, and the components of the surface.
+void CellPatcher::TakePatches()
+{
+  SeparatedPatches separated = this->Separator->Take();
+  this->Separator.reset();
+  this->Result.SharedCells = separated.SharedCells;
+  this->Result.Surface.Meshes = std::move(separated.Meshes);
+  this->Finish(Stage::SeparatePatches);
+  SurfaceComponents components = MeasureTopology(this->Geometry, this->Result.Surface.Meshes);
   this->Result.Topology = components.Topology;
   this->Result.Graph.Component = std::move(components.OfPart);
   this->Result.Graph.Components = components.Topology.Components;
   this->Finish(Stage::MeasureTopology);
-}
-
-/// Cycles, central points, and the patches that are not fans.
-void CellPatcher::PatchCells()
-{
-  Reconstruction& result = this->Result;
-  result.Cycles = TraceCycles(result.Grid, result.Crossings, result.Nodes, result.Graph);
-  result.Cells = GroupByCell(result.Grid, result.Cycles, this->Execute);
-  this->Finish(Stage::TraceCycles);
-  const KnownPairs known = this->PairLoopsOfSlabs();
-  const CycleGeometry geometry = GeometryOf(result);
-  std::vector<double>& centralPoints = result.Surface.CentralPoints;
-  centralPoints =
-    LocateCentralPoints(this->Settings.Central, geometry, this->NodeNormals, this->Execute);
-  LowerDomes(geometry, result.Cells, this->NodeNormals, centralPoints);
-  this->Finish(Stage::LocateCentralPoints);
-  result.Joins.clear();
-  if (this->Settings.Several == SeveralCycles::ByEvidence)
-  {
-    result.Joins =
-      FindJoins({ geometry, result.Cells, this->NodeNormals, centralPoints }, known, this->Execute);
-    this->Finish(Stage::FindJoins);
-  }
-  this->SeparatePatches(known);
-  this->NumberComponents();
 }
 
 /// Without small components, others may no longer be connected.
@@ -198,6 +303,7 @@ void CellPatcher::RemoveSmall()
   Index removed = size > 0.0 ? 1 : 0;
   while (removed > 0)
   {
+    this->TakePatches();
     removed = RemoveSmallComponents(size, this->Result.Crossings, this->Result.Nodes,
       this->NodeNormals, this->Result.Isolated, this->Result.Graph);
     this->Result.SmallComponents += removed;
@@ -212,6 +318,7 @@ void CellPatcher::RemoveSmall()
 /// Draws arcs of unresolved cells anew that lie too close together for the precision.
 void CellPatcher::DrawArcsApart()
 {
+  this->GraphBefore = this->Result.Graph;
   const std::vector<Repair> repairs =
     EmbedArcs(this->Result.Grid, this->Result.Nodes, this->Execute, this->Result.Crossings,
       this->Result.Graph, ArcsOf(this->Result.Graph, this->Result.Cycles, this->Unresolved));
@@ -236,6 +343,10 @@ void CellPatcher::Run()
   {
     this->EmbedIsolatedContours();
     this->PatchCells();
+  }
+  if (this->Separator)
+  {
+    this->TakePatches();
   }
   this->Result.DoubtfulCycles = static_cast<Index>(this->Unresolved.size());
 }

@@ -18,9 +18,10 @@ namespace orthoslices
  * sections 4.3 and 5), without the components that are too small.
  *
  * What is left out leaves the rest as if it had never been there: isolated contours are embedded
- * anew without it. Cells that rounding leaves unresolved get arcs that lie farther apart, and then,
- * one after another, lose isolated contours for which there is no room; cells that this does not
- * concern keep their patches.
+ * anew without it. Cells that rounding leaves unresolved get arcs that lie farther apart; then only
+ * cells are patched again of which an arc, a central point or the evidence has changed, unless the
+ * cycles are others now. Where that does not help, the thinnest isolated contours of these cells
+ * are left out, one after another.
  *
  * Sets what `result` says of isolated contours, cycles, joins, topology and patches, and may change
  * crossings, nodes and graph; `nodeNormals` follow. `finish` is called after each stage.

@@ -50,7 +50,7 @@ struct StageTables
 };
 
 /**
- * Is called with the tables as they are after each stage; stages from EmbedIsolated to
+ * Is called with the tables as they are after each stage; stages from EmbedArcs to
  * MeasureTopology may come several times. For measuring time, tests and invariants.
  */
 using StageObserver =

@@ -7,7 +7,10 @@
 
 #include "Core/CheckInvariants.h"
 #include "Core/Reconstruct.h"
+#include "Support/CheckSurface.h"
+#include "Support/Perturbations.h"
 #include "Support/RandomInput.h"
+#include "Support/ReconstructionMesh.h"
 #include "Support/Stages.h"
 
 #include <gtest/gtest.h>
@@ -91,6 +94,34 @@ TEST(Invariants, HoldForSparseInput)
   {
     ExpectInvariants(RandomSparseInput(seed));
   }
+}
+
+//----------------------------------------------------------------------------
+TEST(Invariants, HoldWhereCellsAreTooNarrowForThePrecision)
+{
+  // Far from the origin, floats are so far apart that cells have to be patched again.
+  int patchedAgain = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed)
+  {
+    Input input = seed % 2 == 0 ? RandomConsistentInput(seed) : RandomContradictoryInput(seed);
+    SCOPED_TRACE(input.Name);
+    Translate(input.Sets, { 3e5, 3e5, 3e5 });
+    RoundToFloat(input.Sets);
+    input.Settings.SinglePrecision = true;
+    int embeddings = 0;
+    const Reconstruction result = Reconstruct(PieceSets(input.Sets), input.Settings, Execution(),
+      [&](Stage stage, const StageTables& tables, const Reconstruction& state)
+      {
+        embeddings += stage == Stage::EmbedArcs ? 1 : 0;
+        ASSERT_EQ(CheckInvariants(stage, tables, state), "");
+      });
+    patchedAgain += embeddings > 1 ? 1 : 0;
+    if (!result.Refused)
+    {
+      EXPECT_TRUE(CheckSurface(MeshOf(result)).IsClosedManifold());
+    }
+  }
+  EXPECT_GT(patchedAgain, 10);
 }
 
 //----------------------------------------------------------------------------
