@@ -3,7 +3,12 @@
 #include "vtkOrthogonalSliceReconstruction.h"
 
 #include "Bridge/DescribeReport.h"
+#include "Bridge/ExecuteWithVtk.h"
+#include "Bridge/ReadPieces.h"
+#include "Bridge/WriteGraph.h"
 #include "Bridge/WriteSurface.h"
+#include "Bridge/WriteTables.h"
+#include "Core/Reconstruct.h"
 
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
@@ -11,19 +16,91 @@
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 vtkStandardNewMacro(vtkOrthogonalSliceReconstruction);
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+namespace
+{
+using Filter = vtkOrthogonalSliceReconstruction;
+
+/// A value of a property, what it is for the core, and its name.
+template <typename Option>
+struct Choice
+{
+  int Property;
+  Option Value;
+  const char* Name;
+};
+
+constexpr Choice<orthoslices::Orientation> Orientations[] = {
+  { Filter::ORIENT_BY_NESTING, orthoslices::Orientation::ByNesting, "ByNesting" },
+  { Filter::ORIENT_AS_DRAWN, orthoslices::Orientation::AsDrawn, "AsDrawn" }
+};
+/// Whether the input is refused.
+constexpr Choice<bool> InvalidContoursModes[] = { { Filter::REFUSE, true, "Refuse" },
+  { Filter::LEAVE_OUT, false, "LeaveOut" } };
+constexpr Choice<orthoslices::CrossingContours> CrossingContoursModes[] = {
+  { Filter::REPAIR_CROSSING, orthoslices::CrossingContours::Repair, "Repair" },
+  { Filter::REFUSE_CROSSING, orthoslices::CrossingContours::Refuse, "Refuse" },
+  { Filter::LEAVE_OUT_CROSSING, orthoslices::CrossingContours::LeaveOut, "LeaveOut" }
+};
+constexpr Choice<orthoslices::SeveralCycles> SeveralCyclesModes[] = {
+  { Filter::BY_EVIDENCE, orthoslices::SeveralCycles::ByEvidence, "ByEvidence" },
+  { Filter::DISCS, orthoslices::SeveralCycles::Discs, "Discs" }
+};
+constexpr Choice<orthoslices::CorrespondenceCriterion> Correspondences[] = {
+  { Filter::CORRESPOND_BY_EVIDENCE, orthoslices::CorrespondenceCriterion::ByEvidence,
+    "ByEvidence" },
+  { Filter::CORRESPOND_BY_OVERLAP, orthoslices::CorrespondenceCriterion::Overlap, "Overlap" },
+  { Filter::CORRESPOND_BY_ELLIPTICAL_CYLINDERS,
+    orthoslices::CorrespondenceCriterion::EllipticalCylinders, "EllipticalCylinders" },
+  { Filter::CORRESPOND_BY_SPANNING_TREE, orthoslices::CorrespondenceCriterion::SpanningTree,
+    "SpanningTree" },
+  { Filter::CORRESPOND_BY_REEB_GRAPH, orthoslices::CorrespondenceCriterion::ReebGraph, "ReebGraph" }
+};
+constexpr Choice<orthoslices::PatchMethod> PatchTypes[] = {
+  { Filter::SMOOTH, orthoslices::PatchMethod::Smooth, "Smooth" },
+  { Filter::FAN, orthoslices::PatchMethod::Fan, "Fan" },
+  { Filter::COONS, orthoslices::PatchMethod::Coons, "Coons" }
+};
+constexpr Choice<orthoslices::CentralPointMethod> CentralPoints[] = {
+  { Filter::LEAST_SQUARES, orthoslices::CentralPointMethod::LeastSquares, "LeastSquares" },
+  { Filter::CENTROID, orthoslices::CentralPointMethod::Centroid, "Centroid" }
+};
+
+/// Whether the values of a property are the indices of its choices.
+template <typename Option, int Count>
+constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
+{
+  for (int i = 0; i < Count; ++i)
+  {
+    if (choices[i].Property != i)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
+    IsIndexed(CrossingContoursModes) && IsIndexed(SeveralCyclesModes) &&
+    IsIndexed(Correspondences) && IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
+  "The setters clamp properties to their first and last value");
+
+/// More contour vertices than that on one port do not fit into the core's numbers.
+constexpr vtkIdType MaxVertices = std::numeric_limits<orthoslices::Index>::max() / 8;
+
+/// From here on, progress is that of writing the surface.
+constexpr double ProgressBeforeSurface = 0.9;
+}
 
 vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
 {
@@ -102,14 +179,49 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   const int from = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   if (outputs->GetInformationObject(from)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
+    return 1; // the first process makes the whole surface
+  }
+  if (!this->CheckProperties() || !this->CheckInputs(inputs))
+  {
+    return 0;
+  }
+  const bool doublePrecision = this->NeedsDoublePrecision(inputs);
+  std::array<orthoslices::Pieces, 3> pieces;
+  for (int port = 0; port < 3; ++port)
+  {
+    pieces[port].Axis = port;
+    if (vtkPolyData* input = vtkPolyData::GetData(inputs[port]))
+    {
+      pieces[port] = orthoslices::ReadPieces(input, port, doublePrecision);
+    }
+  }
+  orthoslices::Options options;
+  this->GetOptions(options);
+  options.SinglePrecision = !doublePrecision;
+  orthoslices::Reconstruction result =
+    orthoslices::Reconstruct(std::move(pieces), options, orthoslices::ExecuteWithVtk(this));
+  if (result.Stopped)
+  {
     return 1;
   }
+  if (!this->CheckResult(result))
+  {
+    return 0;
+  }
+  this->Report(result);
+  this->WriteOutputs(std::move(result), doublePrecision, outputs);
+  return 1;
+}
+
+/// Weights and tolerances that are numbers; setters clamp the others.
+bool vtkOrthogonalSliceReconstruction::CheckProperties()
+{
   for (const double weight : this->AxisWeights)
   {
     if (!(weight >= 0.0 && std::isfinite(weight)))
     {
       vtkErrorMacro("AxisWeights has " << weight << "; weights must be finite and not negative.");
-      return 0;
+      return false;
     }
   }
   // NaN is neither below nor above the range to which tolerances are clamped.
@@ -126,173 +238,165 @@ int vtkOrthogonalSliceReconstruction::RequestData(
     if (std::isnan(tolerance.second))
     {
       vtkErrorMacro(<< tolerance.first << " is not a number.");
-      return 0;
+      return false;
     }
   }
-  bool doublePrecision = this->OutputPointsPrecision == DOUBLE_PRECISION;
+  return true;
+}
+
+/// At least one port is connected, and those that are have contours, and not too many.
+bool vtkOrthogonalSliceReconstruction::CheckInputs(vtkInformationVector** inputs)
+{
   if (this->GetTotalNumberOfInputConnections() == 0)
   {
     vtkErrorMacro("No input: connect contours to port 0 (x-slices), 1 (y-slices) or 2 (z-slices).");
-    return 0;
+    return false;
   }
   for (int port = 0; port < 3; ++port)
   {
-    vtkPolyData* input = vtkPolyData::GetData(inputs[port]);
     if (this->GetNumberOfInputConnections(port) == 0)
     {
       continue;
     }
+    vtkPolyData* input = vtkPolyData::GetData(inputs[port]);
     if (input == nullptr || input->GetNumberOfLines() + input->GetNumberOfPolys() == 0)
     {
       vtkErrorMacro("Port " << port << " (" << orthoslices::AxisNames[port]
                             << "-slices) has no contours: no lines and no polygons.");
-      return 0;
+      return false;
     }
     const vtkIdType vertices = input->GetLines()->GetNumberOfConnectivityIds() +
       input->GetPolys()->GetNumberOfConnectivityIds();
-    if (vertices > std::numeric_limits<orthoslices::Index>::max() / 8)
+    if (vertices > MaxVertices)
     {
       vtkErrorMacro("Port " << port << " has " << vertices << " contour vertices, more than "
-                            << std::numeric_limits<orthoslices::Index>::max() / 8 << ".");
-      return 0;
+                            << MaxVertices << ".");
+      return false;
     }
-    doublePrecision |= this->OutputPointsPrecision == DEFAULT_PRECISION &&
-      input->GetPoints()->GetDataType() == VTK_DOUBLE;
   }
-  std::array<orthoslices::Pieces, 3> pieces;
+  return true;
+}
+
+bool vtkOrthogonalSliceReconstruction::NeedsDoublePrecision(vtkInformationVector** inputs)
+{
+  bool anyDouble = false;
   for (int port = 0; port < 3; ++port)
   {
-    pieces[port].Axis = port;
-    if (this->GetNumberOfInputConnections(port) > 0)
-    {
-      pieces[port] =
-        orthoslices::ReadPieces(vtkPolyData::GetData(inputs[port]), port, doublePrecision);
-    }
+    vtkPolyData* input = vtkPolyData::GetData(inputs[port]);
+    anyDouble |= input != nullptr && input->GetPoints()->GetDataType() == VTK_DOUBLE;
   }
+  return this->OutputPointsPrecision == DEFAULT_PRECISION
+    ? anyDouble
+    : this->OutputPointsPrecision == DOUBLE_PRECISION;
+}
 
-  orthoslices::Options options;
+/// The properties in the terms of the core.
+void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options) const
+{
   options.PlaneTolerance = this->PlaneTolerance;
-  options.Orient = this->Orientation == ORIENT_AS_DRAWN ? orthoslices::Orientation::AsDrawn
-                                                        : orthoslices::Orientation::ByNesting;
-  options.SinglePrecision = !doublePrecision;
+  options.Orient = Orientations[this->Orientation].Value;
+  options.RefuseInvalid = InvalidContoursModes[this->InvalidContours].Value;
+  options.Crossing = CrossingContoursModes[this->CrossingContours].Value;
   if (std::any_of(this->AxisWeights, this->AxisWeights + 3, [](double w) { return w > 0.0; }))
   {
     std::copy_n(this->AxisWeights, 3, options.Weights.begin());
   }
-  options.RefuseInvalid = this->InvalidContours == REFUSE;
-  options.Crossing = this->CrossingContours == REPAIR_CROSSING
-    ? orthoslices::CrossingContours::Repair
-    : this->CrossingContours == REFUSE_CROSSING ? orthoslices::CrossingContours::Refuse
-                                                : orthoslices::CrossingContours::LeaveOut;
-  options.Central = this->CentralPoint == CENTROID ? orthoslices::CentralPointMethod::Centroid
-                                                   : orthoslices::CentralPointMethod::LeastSquares;
-  options.Patching.Method = static_cast<orthoslices::PatchMethod>(this->PatchType);
-  options.Patching.EdgeLength = this->EdgeLength;
-  options.Patching.ChordTolerance = this->ChordTolerance;
-  options.Patching.CornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
   options.Smoothing = this->Smoothing;
   options.ContourTolerance = this->ContourTolerance;
-  options.Several = this->SeveralCycles == DISCS ? orthoslices::SeveralCycles::Discs
-                                                 : orthoslices::SeveralCycles::ByEvidence;
-  options.Criterion = static_cast<orthoslices::CorrespondenceCriterion>(this->Correspondence);
+  options.Several = SeveralCyclesModes[this->SeveralCycles].Value;
+  options.Criterion = Correspondences[this->Correspondence].Value;
   options.Known.Components = this->ExpectedComponents;
   options.Known.Genus = this->ExpectedGenus;
   options.MinComponent = this->MinimumComponentSize;
   options.MinIsolatedContour = this->MinimumIsolatedContourSize;
-  orthoslices::Execution execution;
-  execution.For = [](std::size_t count, const orthoslices::Execution::Range& run)
-  {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count),
-      [&run](vtkIdType begin, vtkIdType end) { run(begin, end); });
-  };
-  execution.Continue = [this](double progress)
-  {
-    this->UpdateProgress(progress);
-    return !this->GetAbortExecute();
-  };
-  orthoslices::Reconstruction result =
-    orthoslices::Reconstruct(std::move(pieces), options, execution);
+  options.Central = CentralPoints[this->CentralPoint].Value;
+  options.Patching.Method = PatchTypes[this->PatchType].Value;
+  options.Patching.EdgeLength = this->EdgeLength;
+  options.Patching.ChordTolerance = this->ChordTolerance;
+  options.Patching.CornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
+}
 
-  if (result.Stopped)
-  {
-    return 1;
-  }
+/// Whether there is a surface that the outputs can hold.
+bool vtkOrthogonalSliceReconstruction::CheckResult(const orthoslices::Reconstruction& result)
+{
   if (result.Refused)
   {
     std::vector<orthoslices::Problem> problems = result.Invalid;
     problems.insert(problems.end(), result.CrossingProblems.begin(), result.CrossingProblems.end());
     vtkErrorMacro("The input has "
       << problems.size() << " unusable contours:" << orthoslices::DescribeProblems(problems));
-    return 0;
+    return false;
   }
   for (int axis = 0; axis < 3; ++axis)
   {
+    // Cells are counted from 0 below the first plane, in the array GridCell.
     if (result.Grid.Count(axis) >= VTK_UNSIGNED_SHORT_MAX)
     {
       vtkErrorMacro("Port " << axis << " has contours on " << result.Grid.Count(axis)
                             << " planes, more than " << VTK_UNSIGNED_SHORT_MAX - 1
                             << "; is PlaneTolerance too small?");
-      return 0;
+      return false;
     }
   }
-  const double reportTolerance = this->ReportTolerance * result.Diagonal;
-  orthoslices::RemoveSmallRepairs(reportTolerance, result.Repairs);
+  return true;
+}
+
+/// Takes out what is not worth a report, and warns of what is left that the user should know.
+void vtkOrthogonalSliceReconstruction::Report(orthoslices::Reconstruction& result)
+{
   orthoslices::ReportSettings settings;
-  settings.Tolerance = reportTolerance;
+  settings.Tolerance = this->ReportTolerance * result.Diagonal;
   settings.RepairsCrossing = this->CrossingContours == REPAIR_CROSSING;
   if (this->SeveralCycles == BY_EVIDENCE)
   {
-    settings.Expected = options.Known;
+    settings.Expected.Components = this->ExpectedComponents;
+    settings.Expected.Genus = this->ExpectedGenus;
   }
-  const std::string doubts = orthoslices::DescribeReport(result, settings);
-  if (!doubts.empty())
+  orthoslices::RemoveSmallRepairs(settings.Tolerance, result.Repairs);
+  const std::string text = orthoslices::DescribeReport(result, settings);
+  if (!text.empty())
   {
-    vtkWarningMacro(<< doubts);
+    vtkWarningMacro(<< text);
   }
+}
+
+void vtkOrthogonalSliceReconstruction::WriteOutputs(
+  orthoslices::Reconstruction&& result, bool doublePrecision, vtkInformationVector* outputs)
+{
   orthoslices::WriteContourTable(result, vtkTable::GetData(outputs, 3));
   orthoslices::WriteSliceTable(result, vtkTable::GetData(outputs, 4));
   orthoslices::WriteUndecidedTable(result, vtkTable::GetData(outputs, 5));
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
   orthoslices::WriteGraph(result, doublePrecision, vtkPolyData::GetData(outputs, 1));
-  this->UpdateProgress(0.9);
+  this->UpdateProgress(ProgressBeforeSurface);
   const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures };
-  orthoslices::WriteSurface(std::move(result), execution, doublePrecision, arrays, reportTolerance,
-    vtkPolyData::GetData(outputs, 0));
+  const double reportTolerance = this->ReportTolerance * result.Diagonal;
+  orthoslices::WriteSurface(std::move(result), orthoslices::ExecuteWithVtk(this), doublePrecision,
+    arrays, reportTolerance, vtkPolyData::GetData(outputs, 0));
   this->UpdateProgress(1.0);
-  return 1;
 }
 
 void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "PlaneTolerance: " << this->PlaneTolerance << "\n";
-  os << indent
-     << "Orientation: " << (this->Orientation == ORIENT_AS_DRAWN ? "AsDrawn" : "ByNesting") << "\n";
-  os << indent << "InvalidContours: " << (this->InvalidContours == REFUSE ? "Refuse" : "LeaveOut")
+  os << indent << "Orientation: " << Orientations[this->Orientation].Name << "\n";
+  os << indent << "InvalidContours: " << InvalidContoursModes[this->InvalidContours].Name << "\n";
+  os << indent << "CrossingContours: " << CrossingContoursModes[this->CrossingContours].Name
      << "\n";
-  os << indent << "CrossingContours: "
-     << (this->CrossingContours == REPAIR_CROSSING      ? "Repair"
-            : this->CrossingContours == REFUSE_CROSSING ? "Refuse"
-                                                        : "LeaveOut")
-     << "\n";
-  os << indent << "SeveralCycles: " << (this->SeveralCycles == DISCS ? "Discs" : "ByEvidence")
-     << "\n";
-  const char* correspondences[] = { "ByEvidence", "Overlap", "EllipticalCylinders", "SpanningTree",
-    "ReebGraph" };
-  os << indent << "Correspondence: " << correspondences[this->Correspondence] << "\n";
+  os << indent << "SeveralCycles: " << SeveralCyclesModes[this->SeveralCycles].Name << "\n";
+  os << indent << "Correspondence: " << Correspondences[this->Correspondence].Name << "\n";
   os << indent << "ExpectedComponents: " << this->ExpectedComponents << "\n";
   os << indent << "ExpectedGenus: " << this->ExpectedGenus << "\n";
   os << indent << "MinimumComponentSize: " << this->MinimumComponentSize << "\n";
   os << indent << "MinimumIsolatedContourSize: " << this->MinimumIsolatedContourSize << "\n";
-  const char* patchTypes[] = { "Smooth", "Fan", "Coons" };
-  os << indent << "PatchType: " << patchTypes[this->PatchType] << "\n";
+  os << indent << "PatchType: " << PatchTypes[this->PatchType].Name << "\n";
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
   os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "ContourTolerance: " << this->ContourTolerance << "\n";
-  os << indent << "CentralPoint: " << (this->CentralPoint == CENTROID ? "Centroid" : "LeastSquares")
-     << "\n";
+  os << indent << "CentralPoint: " << CentralPoints[this->CentralPoint].Name << "\n";
   os << indent << "AxisWeights: " << this->AxisWeights[0] << " " << this->AxisWeights[1] << " "
      << this->AxisWeights[2] << "\n";
   os << indent << "ReportTolerance: " << this->ReportTolerance << "\n";

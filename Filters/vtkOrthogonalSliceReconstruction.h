@@ -124,8 +124,12 @@
  * plane by more than the tolerance, and coordinates that are not finite are reported with port,
  * cell and coordinate: as errors with empty outputs (InvalidContours = REFUSE), or in one warning
  * (LEAVE_OUT). So are contours that cross themselves or each other within one slice (CrossingContours), which by
- * default are repaired. Where the three families contradict each other, one warning says so and
- * the "Disagreement" array shows where.
+ * default are repaired. Where the families contradict each other by more than ReportTolerance, one
+ * warning says so, and the "Disagreement" array shows where. It also tells of contours that take no
+ * part in the surface, of a surface that is inside out, of ExpectedComponents and ExpectedGenus that
+ * cannot be met, and of undecided places where the odds are near even and that matter: both parts
+ * are at least as wide as the planes are apart, or remain in different components. All other
+ * undecided places are in the table only.
  *
  * @sa vtkOrthogonalSlicer vtkRuledSurfaceFilter vtkCutter
  */
@@ -137,6 +141,12 @@
 #include "vtkPolyDataAlgorithm.h"
 
 class vtkTable;
+
+namespace orthoslices
+{
+struct Options;
+struct Reconstruction;
+}
 
 class VTKFILTERSORTHOGONALSLICES_EXPORT vtkOrthogonalSliceReconstruction
   : public vtkPolyDataAlgorithm
@@ -457,6 +467,16 @@ protected:
 private:
   vtkOrthogonalSliceReconstruction(const vtkOrthogonalSliceReconstruction&) = delete;
   void operator=(const vtkOrthogonalSliceReconstruction&) = delete;
+
+  // The steps of RequestData; checks that fail have reported an error.
+  bool CheckProperties();
+  bool CheckInputs(vtkInformationVector** inputs);
+  bool NeedsDoublePrecision(vtkInformationVector** inputs);
+  void GetOptions(orthoslices::Options& options) const;
+  bool CheckResult(const orthoslices::Reconstruction& result);
+  void Report(orthoslices::Reconstruction& result);
+  void WriteOutputs(
+    orthoslices::Reconstruction&& result, bool doublePrecision, vtkInformationVector* outputs);
 
   double PlaneTolerance = 1e-5;
   int Orientation = ORIENT_BY_NESTING;

@@ -33,6 +33,13 @@ const char* Describe(ProblemKind kind)
   return "is unusable";
 }
 
+std::string TextOf(const Point3& point)
+{
+  std::ostringstream text;
+  text << "(" << point[0] << ", " << point[1] << ", " << point[2] << ")";
+  return text.str();
+}
+
 /// The slice that agrees least with the others.
 std::string DescribeWorstSlice(const Reconstruction& result)
 {
@@ -211,6 +218,29 @@ std::string DescribeProblems(const std::vector<Problem>& problems)
     text << "\n  and " << problems.size() - ListedProblems << " more";
   }
   return text.str();
+}
+
+std::string DescribeProblem(const SurfaceProblem& problem)
+{
+  const std::string edge = "the edge from " + TextOf(problem.From) + " to " + TextOf(problem.To);
+  switch (problem.Kind)
+  {
+    case SurfaceProblemKind::NotFinite:
+      return "The surface has the point " + TextOf(problem.From) + ", which is not finite.";
+    case SurfaceProblemKind::OpenEdge:
+      return "The surface is open: " + edge +
+        " belongs to one triangle only. Close it first; if points there are only nearly the same, "
+        "merge them (vtkCleanPolyData, ParaView's Clean).";
+    case SurfaceProblemKind::OverusedEdge:
+      return "The surface is not a manifold: " + edge + " belongs to more than two triangles.";
+    case SurfaceProblemKind::InconsistentEdge:
+      return "The triangles are not oriented consistently: both triangles at " + edge +
+        " pass it in the same direction. Orient them first (vtkPolyDataNormals with "
+        "ConsistencyOn, ParaView's Surface Normals).";
+    case SurfaceProblemKind::None:
+      break;
+  }
+  return std::string();
 }
 
 std::string DescribeReport(const Reconstruction& result, const ReportSettings& settings)

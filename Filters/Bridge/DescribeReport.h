@@ -10,6 +10,7 @@
 
 #include "Core/Base/Contours.h"
 #include "Core/Correspondence/PriorKnowledge.h"
+#include "Core/Slicing/SliceSurface.h"
 
 #include <string>
 #include <vector>
@@ -32,6 +33,9 @@ struct ReportSettings
 /// One line for each contour that cannot be used as it is, with port, cell and coordinate: the first
 /// ten, and how many more there are.
 std::string DescribeProblems(const std::vector<Problem>& problems);
+
+/// Why a surface cannot be sliced, where, and what to do about it; empty if it can.
+std::string DescribeProblem(const SurfaceProblem& problem);
 
 /**
  * What the user should be told of a surface that is closed all the same; empty if all is well. These

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef WritePoints_h
-#define WritePoints_h
+#ifndef OrthoSlicesPointArrays_h
+#define OrthoSlicesPointArrays_h
 
 #include "vtkDataArray.h"
 #include "vtkPoints.h"

@@ -4,8 +4,8 @@
  * Arrays that are computed from the finished triangles.
  */
 
-#ifndef SurfaceArrays_h
-#define SurfaceArrays_h
+#ifndef OrthoSlicesSurfaceArrays_h
+#define OrthoSlicesSurfaceArrays_h
 
 #include "Core/Base/Execution.h"
 #include "Core/Base/Types.h"

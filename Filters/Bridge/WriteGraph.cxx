@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/WriteGraph.h"
+
 #include "Bridge/PointArrays.h"
-#include "Bridge/WriteSurface.h"
+#include "Core/Reconstruction.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/WriteSurface.h"
+
 #include "Bridge/PointArrays.h"
 #include "Bridge/SurfaceArrays.h"
+#include "Core/Reconstruction.h"
+#include "Core/Surface/DescribePatches.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -16,110 +17,16 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedShortArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace orthoslices
 {
 namespace
 {
-/// Appends the cells of one vtkCellArray to pieces.
-class PieceReader
-{
-public:
-  PieceReader(vtkPolyData* input, bool round, Pieces& pieces)
-    : Round(round)
-    , Points(input->GetPoints()->GetData())
-    , Ghosts(vtkUnsignedCharArray::SafeDownCast(
-        input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName())))
-    , Target(pieces)
-  {
-  }
-
-  void Read(vtkCellArray* cells, bool polygons, vtkIdType firstCell);
-
-private:
-  void AddPoint(vtkIdType point);
-  void AddCell(vtkIdType cell, vtkIdType count, const vtkIdType* points, bool polygon);
-
-  bool Round;
-  vtkDataArray* Points;
-  vtkUnsignedCharArray* Ghosts;
-  Pieces& Target;
-};
-
-void PieceReader::AddPoint(vtkIdType point)
-{
-  double x[3];
-  if (auto* floats = vtkFloatArray::FastDownCast(this->Points))
-  {
-    std::copy_n(floats->GetPointer(3 * point), 3, x);
-  }
-  else if (auto* doubles = vtkDoubleArray::FastDownCast(this->Points))
-  {
-    std::copy_n(doubles->GetPointer(3 * point), 3, x);
-  }
-  else
-  {
-    this->Points->GetTuple(point, x);
-  }
-  if (this->Round)
-  {
-    std::transform(x, x + 3, x, [](double value) { return static_cast<float>(value); });
-  }
-  this->Target.U.push_back(x[FirstAxis(this->Target.Axis)]);
-  this->Target.V.push_back(x[SecondAxis(this->Target.Axis)]);
-  this->Target.W.push_back(x[this->Target.Axis]);
-}
-
-void PieceReader::AddCell(vtkIdType cell, vtkIdType count, const vtkIdType* points, bool polygon)
-{
-  const unsigned char hidden =
-    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-  if (count < 2 || (this->Ghosts && (this->Ghosts->GetValue(cell) & hidden)))
-  {
-    return;
-  }
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    this->AddPoint(points[i]);
-  }
-  Pieces& pieces = this->Target;
-  const std::size_t first = pieces.Offsets.back();
-  const bool repeated = pieces.U.back() == pieces.U[first] && pieces.V.back() == pieces.V[first] &&
-    pieces.W.back() == pieces.W[first];
-  if (repeated)
-  {
-    pieces.U.pop_back();
-    pieces.V.pop_back();
-    pieces.W.pop_back();
-  }
-  pieces.Offsets.push_back(static_cast<Index>(pieces.U.size()));
-  pieces.Cell.push_back(cell);
-  pieces.Closed.push_back(polygon || repeated ? 1 : 0);
-}
-
-void PieceReader::Read(vtkCellArray* cells, bool polygons, vtkIdType firstCell)
-{
-  const std::size_t count = this->Target.U.size() + cells->GetNumberOfConnectivityIds();
-  for (std::vector<double>* values : { &this->Target.U, &this->Target.V, &this->Target.W })
-  {
-    values->reserve(count);
-  }
-  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
-  {
-    vtkIdType size = 0;
-    const vtkIdType* points = nullptr;
-    cells->GetCellAtId(i, size, points);
-    this->AddCell(firstCell + i, size, points, polygons);
-  }
-}
-
 template <typename Array>
 Array* AddArray(vtkFieldData* data, const char* name, int components, vtkIdType count)
 {
@@ -150,58 +57,6 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
   cells->SetData(offsets, connectivity);
 }
 
-/**
- * What was repaired at each polygon: bit 0, one of its nodes disagrees by more than the
- * tolerance; bit 1, one of its arcs was changed; bit 2, its patch was separated from others.
- */
-std::vector<unsigned char> FindRepairs(const Reconstruction& result, double tolerance)
-{
-  const CellCycles& cycles = result.Cycles;
-  std::vector<unsigned char> repairs(cycles.Count(), 0);
-  const bool any = CountDisagreements(result, tolerance) > 0 || !result.Graph.Redrawn.empty();
-  for (Index i = 0; any && i < cycles.Count(); ++i)
-  {
-    for (Index a = cycles.Offsets[i]; a < cycles.Offsets[i + 1]; ++a)
-    {
-      const HalfArc& half = cycles.Arcs[a];
-      if (result.Graph.IsLoop(half.Arc))
-      {
-        continue;
-      }
-      const Index node = StartNode(result.Crossings, result.Nodes, half);
-      repairs[i] |= result.Nodes.Disagreement(node) > tolerance ? 1 : 0;
-      repairs[i] |= !result.Graph.Redrawn.empty() && result.Graph.Redrawn[half.Arc] != 0 ? 2 : 0;
-    }
-  }
-  for (const PatchMesh& mesh : result.Surface.Meshes)
-  {
-    for (const Index cycle : mesh.Cycles)
-    {
-      repairs[mesh.Cycles.front()] |= repairs[cycle] | (mesh.IsSeparatedDisc() ? 4 : 0);
-    }
-  }
-  return repairs;
-}
-
-/// Node points around each patch; a patch with several cycles counts as that of the first one.
-std::vector<Index> CountNodePoints(const Reconstruction& result)
-{
-  const CycleGeometry geometry = GeometryOf(result);
-  std::vector<Index> sizes(result.Cycles.Count());
-  for (Index i = 0; i < result.Cycles.Count(); ++i)
-  {
-    sizes[i] = geometry.IsLoop(i) ? 0 : result.Cycles.Size(i);
-  }
-  for (const PatchMesh& mesh : result.Surface.Meshes)
-  {
-    for (std::size_t i = 1; i < mesh.Cycles.size(); ++i)
-    {
-      sizes[mesh.Cycles.front()] += sizes[mesh.Cycles[i]];
-    }
-  }
-  return sizes;
-}
-
 /// Distance of the two contours at the node points, 0 at all other points.
 void AddDisagreement(const Reconstruction& result, vtkIdType points, vtkPointData* data)
 {
@@ -226,8 +81,9 @@ void FillCellArrays(Reconstruction& result, double reportTolerance, vtkCellData*
   {
     components[i] = result.Graph.Component[geometry.PartOf(i)];
   }
-  const std::vector<Index> sizes = CountNodePoints(result);
-  const std::vector<unsigned char> repairs = FindRepairs(result, reportTolerance);
+  const std::vector<Index> sizes = CountNodePoints(geometry, result.Surface.Meshes);
+  const std::vector<unsigned char> repairs =
+    FindPatchRepairs(geometry, result.Surface.Meshes, reportTolerance);
   result.Crossings = GridCrossings();
   result.Nodes = NodePoints();
   result.Graph = NodeGraph();
@@ -252,35 +108,6 @@ void FillCellArrays(Reconstruction& result, double reportTolerance, vtkCellData*
   }
 }
 
-/// Normals of the smooth surface at all points, zero where there is none; empty if there are none
-/// at all.
-std::vector<float> ListSmoothNormals(const Reconstruction& result, vtkIdType points)
-{
-  std::vector<float> normals;
-  if (result.Normals.Normals.empty())
-  {
-    return normals;
-  }
-  normals.assign(3 * static_cast<std::size_t>(points), 0.0f);
-  const auto copy = [&](const float* first, const float* last, std::int64_t id)
-  { std::copy(first, last, normals.begin() + 3 * id); };
-  const float* ofGraph = result.Normals.Normals.data();
-  copy(ofGraph, ofGraph + result.Normals.Normals.size(), 0);
-  for (std::size_t i = 0; i < result.Normals.Corners.size(); ++i)
-  {
-    std::fill_n(normals.begin() + 3 * i, result.Normals.Corners[i] != 0 ? 3 : 0, 0.0f);
-  }
-  const InnerPatches& inner = result.Surface.Inner;
-  for (Index i = 0; i < inner.Count(); ++i)
-  {
-    const float* first = inner.Normals.data() + 3 * inner.PointOffsets[i];
-    const float* last = inner.Normals.data() + 3 * inner.PointOffsets[i + 1];
-    copy(first, first + 3, std::int64_t(result.Graph.Count()) + inner.Cycle[i]);
-    copy(first + 3, last, result.Surface.InnerPointId(i));
-  }
-  return normals;
-}
-
 void AddFieldData(const Reconstruction& result, vtkFieldData* data)
 {
   const auto add = [&](const char* name, vtkIdType value)
@@ -301,28 +128,13 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
 }
 }
 
-Pieces ReadPieces(vtkPolyData* input, int axis, bool doublePrecision)
-{
-  Pieces pieces;
-  pieces.Axis = axis;
-  if (input->GetPoints() == nullptr)
-  {
-    return pieces;
-  }
-  PieceReader reader(input, !doublePrecision, pieces);
-  const vtkIdType verts = input->GetNumberOfVerts();
-  reader.Read(input->GetLines(), false, verts);
-  reader.Read(input->GetPolys(), true, verts + input->GetNumberOfLines());
-  return pieces;
-}
-
 void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool doublePrecision,
   const SurfaceArrayOptions& arrays, double reportTolerance, vtkPolyData* surface)
 {
   Reconstruction result = std::move(consumed);
   const bool withNormals = arrays.Normals || arrays.Curvatures;
-  const vtkIdType graphPoints = result.Graph.Count();
-  const vtkIdType allCenters = graphPoints + result.Cycles.Count();
+  const Index graphPoints = result.Graph.Count();
+  const vtkIdType allCenters = vtkIdType(graphPoints) + result.Cycles.Count();
   std::vector<double> otherPoints = ListOtherPoints(result.Surface);
   const vtkIdType allPoints = allCenters + static_cast<vtkIdType>(otherPoints.size() / 3);
   result.Surface.Inner.Points = {};
@@ -346,8 +158,9 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   surface->SetPolys(cells);
   AddFieldData(result, surface->GetFieldData());
   AddDisagreement(result, surface->GetNumberOfPoints(), surface->GetPointData());
-  const std::vector<float> smooth =
-    withNormals ? ListSmoothNormals(result, allPoints) : std::vector<float>();
+  const std::vector<float> smooth = withNormals
+    ? ListSmoothNormals(result.Normals, result.Surface, graphPoints, allPoints)
+    : std::vector<float>();
   FillCellArrays(result, reportTolerance, surface->GetCellData());
   result = Reconstruction();
   AddQuality(surface, execution);

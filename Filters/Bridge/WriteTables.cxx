@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Bridge/WriteSurface.h"
+#include "Bridge/WriteTables.h"
+
+#include "Core/Reconstruction.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"

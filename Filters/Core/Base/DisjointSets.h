@@ -21,6 +21,9 @@ public:
     std::iota(this->Parent.begin(), this->Parent.end(), 0);
   }
 
+  /// How many numbers there are.
+  Index Count() const { return static_cast<Index>(this->Parent.size()); }
+
   /// The least number of the set of i.
   Index Find(Index i)
   {
@@ -32,7 +35,7 @@ public:
     return i;
   }
 
-  /// False if both were in one set already.
+  /// Joins the sets of i and j. False if both were in one set already.
   bool Unite(Index i, Index j)
   {
     const Index a = this->Find(i);

@@ -62,7 +62,7 @@ public:
   /// The region of each cycle: what lies on the other side of it than corner 0 of the cell.
   std::vector<CellRegion> Find(const Index* first, const Index* last);
 
-  /// Whether a region has a cycle within that is none of its own.
+  /// Whether the cycle of a region, which is not one of the outer region's own, lies within the latter.
   bool Contains(const CellRegion& outer, const CellRegion& cycle) const;
 
   /**
@@ -71,7 +71,7 @@ public:
    */
   std::vector<std::vector<Index>> RingsOn(const CellRegion& region, int face) const;
 
-  /// The same region on the other side of its cycle.
+  /// Makes a region the rest of the cell's boundary, on the other side of its cycle.
   static void Flip(CellRegion& region);
   /// The first region without the others, which lie within. The cycles stay in the given order.
   static CellRegion Subtract(const std::vector<const CellRegion*>& regions, std::size_t outermost);

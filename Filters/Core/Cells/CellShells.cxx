@@ -13,11 +13,13 @@ namespace orthoslices
 {
 namespace
 {
-/// Depths of the deepest shells as parts of the way to the middle of the cell: of a disc, and of
-/// the region between several cycles, which is mostly a waist.
+/// Depths of the deepest shells as parts of the way to the middle of the cell. Discs stay in the
+/// outer half, which leaves the rest for the region between several cycles: mostly a waist, which
+/// is smaller the deeper it lies. Chosen by hand.
 constexpr double DeepestDisc = 0.4;
 constexpr double DeepestWaist = 0.85;
-/// Of the room for a region between several cycles: the smallest of these is taken.
+/// Depths that are tried for the region between several cycles, as parts of the room that it has: the
+/// one with the smallest area is taken.
 constexpr std::array<double, 4> TriedDepths{ 0.25, 0.5, 0.75, 1.0 };
 
 /// A group of cycles and its region.
@@ -25,7 +27,7 @@ struct ShellGroup
 {
   CellRegion Region;
   bool Possible = true;
-  int Height = 1; ///< plus the number of groups nested within, one in another
+  int Height = 1; ///< 1 plus the length of the longest chain of groups nested within
   bool IsContained = false;
 };
 
@@ -73,7 +75,8 @@ private:
   std::vector<ShellGroup> Groups;
 };
 
-/// The one that has all others within, which must not be nested in each other.
+/// Finds the cycle of a group whose region has the regions of all others within, side by side. False
+/// if there is none: then no region lies between the cycles.
 bool CellShells::FindOutermost(const std::vector<Index>& cycles, std::size_t& outermost) const
 {
   for (outermost = 0; outermost < cycles.size(); ++outermost)
@@ -111,7 +114,7 @@ Index CellShells::CountPossible() const
   return count;
 }
 
-/// Regions lie away from the place just inside the region of a cycle from now on.
+/// Moves the fixed place, from which all regions lie away, to just inside the region of a cycle.
 void CellShells::MoveRoot(Index cycle)
 {
   const CellRegion root = this->OfCycle[this->PlaceOf(cycle)];

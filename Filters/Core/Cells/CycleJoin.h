@@ -26,31 +26,31 @@ struct LoopPair
  * surface passes through, 0 if the cycle is a cross section of a tube; 0 for loops, which know no
  * normals); T is the mean cosine, without its sign, between the normals and the line that joins
  * the two centres (0 along a tube); S is the smaller cosine between the normals of the two discs
- * and that line, negative if both face the same way; and d is the length of the line. The weights
- * were fitted to 3 100 pairs of cycles in 12 scanned and segmented shapes (logistic regression) and
- * rounded. Against a tube speak node points at which the slices contradict each other, cycles much
- * wider than their distance (parallel sheets), and loops side by side on one face.
+ * and that line, negative if both face the same way; and d is the length of the line. JoinWeights
+ * says where the weights come from. Against a tube speak node points at which the slices contradict
+ * each other, cycles much wider than their distance (parallel sheets), and loops side by side on
+ * one face.
  *
  * An isolated contour has to go on somewhere: the nearest patch in one of its two cells, at the
- * distance d, has an evidence of at least 1.5 - d. With slices on one axis only, this is so in each
- * of its two cells. That alone makes no handle then: a contour that is connected has gone on. Nor
- * does a join with a cycle that StitchSlabs has joined to others.
+ * distance d, has an evidence of at least ContinuationEvidence - d. With slices on one axis only,
+ * this is so in each of its two cells. That alone makes no handle then: a contour that is connected
+ * has gone on. Nor does a join with a cycle that StitchSlabs has joined to others.
  */
 struct CycleJoin
 {
   Index First, Second; ///< cycles, First < Second
   double Evidence = 0.0;
   double Flatness = 0.0;     ///< the product of both, if they are positive
-  Index Handles = 0;         ///< that come with it; see StitchSlabs
-  bool OnlyConnects = false; ///< but makes no handle of what is connected already
+  Index Handles = 0;         ///< handles of the stitched patch that comes with it; see StitchSlabs
+  bool OnlyConnects = false; ///< not to be chosen where it would make a handle
   bool Chosen = false;
   bool Impossible = false; ///< no patch without crossings was found
 };
 
-/// What is said of the loops by others, for FindJoins.
+/// What a criterion for parallel slices and the stitching of slabs say of loops, for FindJoins.
 struct KnownPairs
 {
-  std::vector<LoopPair> Pairs;    ///< ascending; they have evidence of 3 at least
+  std::vector<LoopPair> Pairs;    ///< ascending; they have CertainEvidence at least
   bool Exclusive = false;         ///< no other two loops across a cell are joined
   std::vector<PatchMesh> Patches; ///< the cycles of one patch are joined; see StitchSlabs
 };

@@ -11,13 +11,16 @@ namespace orthoslices
 {
 namespace
 {
-/// Where a tube has its ring.
+/// The share of its length at which a tube has its ring: half-way leaves most room on both sides.
 constexpr double RingShare = 0.5;
-/// So low that arches between points of one face stay below the rest of the tube.
+/// Height of arches between points of one face, as a part of their distance: so low that they stay
+/// below the rest of the tube. Chosen by hand.
 constexpr double ArchHeight = 0.05;
-/// Pairs of triangles and points of a border up to which all distances are measured.
+/// Pairs of triangles and points of a border up to which all distances are measured, which is a matter
+/// of milliseconds; where there are more pairs, points are left out.
 constexpr std::size_t MaxPairs = std::size_t(1) << 22;
-/// So many triangles are left out from one attempt to the next but one.
+/// By so many ranks the triangle to be cut out moves on from one attempt to the next but one: where
+/// one triangle is of no use, its neighbours are likely not to be, either. Chosen by hand.
 constexpr std::size_t RankStep = 4;
 
 using PatchTriangles = std::vector<std::array<Index, 3>>;

@@ -10,8 +10,11 @@ namespace orthoslices
 {
 namespace
 {
-/// Height of arches between points of one face.
+/// Height of arches between points of one face, as a part of their distance: that of half a circle.
 constexpr double HalfCircle = 0.5;
+/// How far the point of a bridge between two curves lies on the way to the curve that the tube leads
+/// to: short of half-way, where the ring lies, so that both stay apart. Chosen by hand.
+constexpr double BridgeLean = 0.4;
 
 /// 0 for cycles at an even distance from the first one in the tree, 1 for the others.
 std::vector<std::uint8_t> Colour(
@@ -50,7 +53,7 @@ void Bridge(const PatchCurve& other, const PatchCurve& goal, PatchCurve& curve, 
       target = point;
     }
   }
-  const Index bridge = patch.AddPoint(Between(middle, target, 0.4));
+  const Index bridge = patch.AddPoint(Between(middle, target, BridgeLean));
   PatchCurve joined;
   const auto add = [&](Index corner, const Point3& point)
   {

@@ -23,16 +23,17 @@ class JoinedPatchBuilder
 public:
   JoinedPatchBuilder(const CycleGeometry& geometry, const std::vector<Index>& cycles,
     const std::vector<std::pair<Index, Index>>& joins);
-  /// What takes time, the pairs, does not depend on the share: another one costs little.
+  /// The patch with its ring this share of the way from the first curve to the second. What takes
+  /// time, the pairs, does not depend on the share: another one costs little.
   PatchMesh Build(double share) const;
 
 private:
-  TubePatch Bridged; ///< without the tube
-  PatchCurve First, Second;
+  TubePatch Bridged;        ///< without the tube
+  PatchCurve First, Second; ///< of the cycles at even and at odd distance
   std::vector<PointPair> Pairs;
 };
 
-/// The same for one share.
+/// The joined patch with its ring at one share of the way only.
 PatchMesh BuildJoinedPatch(const CycleGeometry& geometry, const std::vector<Index>& cycles,
   const std::vector<std::pair<Index, Index>>& joins, double share);
 }

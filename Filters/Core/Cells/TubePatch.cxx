@@ -11,11 +11,13 @@ namespace orthoslices
 {
 namespace
 {
-/// Least distance of new points from the faces of their cell, as a part of the cell's width.
+/// Least distance of new points from the faces of their cell, as a part of the cell's width: as much
+/// as central points of fans keep, too small to be seen and large beside what rounding moves.
 constexpr double InnerMargin = 1e-3;
-/// Of an arch, as a part of the cell's width.
+/// The greatest height of an arch, as a part of the cell's width: the middle of the cell.
 constexpr double HighestArch = 0.5;
-/// Pairs of points up to which curves are compared point by point.
+/// Pairs of points up to which curves are compared point by point, with one byte for each pair:
+/// 16 MB.
 constexpr std::size_t MaxPairs = std::size_t(1) << 24;
 
 /// Pairs by the share of the length from a common start, for curves of very many points.

@@ -47,13 +47,14 @@ std::vector<PointPair> PairPoints(const PatchCurve& a, const PatchCurve& b);
 class TubePatch
 {
 public:
-  /// Of the cycles, which ascend, of one cell.
+  /// Starts a patch of these cycles of one cell, which ascend. Keeps the address of the geometry.
   TubePatch(const CycleGeometry& geometry, const std::vector<Index>& cycles);
 
   /// A new corner, moved strictly into the cell.
   Index AddPoint(const Point3& point);
-  /// Makes the tube between two curves that are paired; the second one runs backwards. Arches are
-  /// as high as this part of the distance that they bridge.
+  /// Adds the tube between two curves that are paired; the second one runs backwards. Its ring lies
+  /// the `share` of the way from the first to the second; arches are as high as the part
+  /// `archHeight` of the distance that they bridge.
   void AddTube(const PatchCurve& a, const PatchCurve& b, const std::vector<PointPair>& pairs,
     double share, double archHeight);
 

@@ -60,7 +60,7 @@ bool IsDoubtful(const int winding[2])
   return winding[0] != winding[1] || winding[0] < 0 || winding[0] > 1;
 }
 
-/// Vertices from the upper end of the edge to the lower end of slab `end` of the same grid line.
+/// Adds the vertices from the upper end of the edge to the lower end of slab `end` of the same grid line.
 void VertexLabeller::AddDoubts(
   const GridEdge& edge, Index end, const int winding[2], std::vector<Doubt>& doubts) const
 {
@@ -79,8 +79,8 @@ void VertexLabeller::AddDoubts(
   }
 }
 
-/// Sums the signs along every grid line. A vertex with any doubt is found on two of its three
-/// lines.
+/// Finds doubtful vertices by summing the signs of crossings along every grid line. A vertex with any
+/// doubt is found on two of its three lines.
 std::vector<Doubt> VertexLabeller::FindDoubts() const
 {
   std::vector<Doubt> doubts;
@@ -174,6 +174,7 @@ double VertexLabeller::DistanceTo(const GridEdge& edge, int family, double posit
   return nearest;
 }
 
+/// Sorts the doubts by their vertices, and lets the slices vote at each.
 std::vector<Correction> VertexLabeller::Decide(std::vector<Doubt>& doubts)
 {
   std::sort(doubts.begin(), doubts.end(),
@@ -206,7 +207,7 @@ std::vector<Correction> VertexLabeller::Decide(std::vector<Doubt>& doubts)
   return corrections;
 }
 
-/// Four crossings around the vertex, on the four edges that leave it within the slice.
+/// Inserts four crossings around a vertex, on the four edges that leave it within the slice.
 void VertexLabeller::InsertLoop(const Correction& correction)
 {
   const int u = FirstAxis(correction.Axis);

@@ -14,8 +14,7 @@ void MatchAlternating(const std::vector<double>& first, const std::vector<double
   const std::size_t n = first.size();
   const std::size_t m = second.size();
   matched.clear();
-  constexpr std::size_t largestTable = 1u << 22;
-  if ((n + 1) * (m + 1) > largestTable)
+  if ((n + 1) * (m + 1) > LargestMatchingTable)
   {
     // Thousands of crossings on one edge: match in order; still valid, no longer the least change.
     for (std::size_t i = 0; i < std::min(n, m); ++i)

@@ -21,6 +21,10 @@ double Agreement::RootMeanSquare() const
 
 namespace
 {
+/// Determinant of the equations by their squared trace below which all normals count as parallel. It
+/// is about a quarter of the squared angle between them: 6e-5 radians, far less than contours tell.
+constexpr double MinDeterminant = 1e-9;
+
 /// Least squares for the shift (u, v) of one slice.
 struct ShiftEquations
 {
@@ -40,9 +44,9 @@ struct ShiftEquations
   {
     const double det = this->UU * this->VV - this->UV * this->UV;
     const double trace = this->UU + this->VV;
-    if (!(det > 1e-9 * trace * trace))
+    if (!(det > MinDeterminant * trace * trace))
     {
-      return { 0.0, 0.0 }; // all normals are parallel: nothing to tell
+      return { 0.0, 0.0 }; // nothing is known of a shift across the normals
     }
     return { (this->VV * this->U - this->UV * this->V) / det,
       (this->UU * this->V - this->UV * this->U) / det };

@@ -79,6 +79,7 @@ std::vector<Index> EdgeSnipper::Alternate(Index begin, Index end, int label)
   return list;
 }
 
+/// Joins the arc that ends at one crossing with the one that starts at another, past both.
 void EdgeSnipper::JoinArcs(Index incoming, Index outgoing)
 {
   const Index arc = this->Tables.Crossings.Previous[incoming];
@@ -93,6 +94,7 @@ void EdgeSnipper::JoinArcs(Index incoming, Index outgoing)
   this->Tables.Crossings.Previous[this->Tables.Crossings.Next[outgoing]] = arc;
 }
 
+/// Lists an arc that has closed in itself, if it has enough vertices for a contour.
 void EdgeSnipper::AddIsolated(Index firstRun)
 {
   Index vertices = 0;
@@ -126,7 +128,7 @@ void EdgeSnipper::ReportSnip(Index a, Index b)
       std::abs(to - from) });
 }
 
-/// On each side of the crossed plane, the arc that ends at one of the two goes on from the other.
+/// Takes two crossings out: on each side of the crossed plane, the arc that ends at one of the two goes on from the other.
 void EdgeSnipper::Snip(Index a, Index b)
 {
   if (!this->IsInserted(a) || !this->IsInserted(b))
@@ -153,6 +155,8 @@ void EdgeSnipper::SnipUnmatched(
   }
 }
 
+/// Makes the crossings of both families on an edge the same in number and signs. `label` is that of
+/// its lower end.
 void EdgeSnipper::MatchEdge(Index edge, int label)
 {
   const Index begin = this->Tables.Edges.Offsets[edge];

@@ -12,10 +12,15 @@ namespace orthoslices
 {
 namespace
 {
-/// Of a dome over a loop, as a part of the cell's width: the surface ends anywhere in the cell.
-constexpr double HighestDome = 0.5;
+/// The greatest height of a dome over a loop, as a part of the cell's width. The slices only say that
+/// the surface ends within the cell: the expected height of a top that may be anywhere in it.
+constexpr double MaxDome = 0.5;
 
-/// The boundary of one spatial polygon: points, lengths, centroid.
+/// The greatest height of a central point over the centroid, in mean radii of the polygon. That of a
+/// hemisphere over its rim is 1: a quadratic that is higher has left the data.
+constexpr double MaxHeight = 1.0;
+
+/// Finds the central point of one spatial polygon.
 class PolygonCenter
 {
 public:
@@ -58,8 +63,8 @@ Point3 PolygonCenter::Centroid()
 }
 
 /**
- * Over a loop, towards +axis or, if `most` is negative, -axis: as high as the loop is wide, as if
- * the surface was round, but not higher than `most`.
+ * The top of a dome over a loop, towards +axis or, if `maximum` is negative, -axis: as high as the
+ * loop is wide, as if the surface was round, but not higher than |maximum|.
  */
 Point3 PolygonCenter::Dome(int axis, double maximum)
 {
@@ -130,7 +135,7 @@ Point3 PolygonCenter::LeastSquares()
     fit.AddNormal(p[0], p[1], n, 1.0 / this->NodePlaces.size());
   }
   const double height = fit.HeightAtOrigin();
-  return std::abs(height) < 1.0 ? centroid + (height * radius) * normal : centroid;
+  return std::abs(height) < MaxHeight ? centroid + (height * radius) * normal : centroid;
 }
 }
 
@@ -154,7 +159,7 @@ std::vector<double> LocateCentralPoints(CentralPointMethod method, const CycleGe
         if (graph.IsLoop(half.Arc))
         {
           const int axis = graph.Loops[half.Arc - graph.Arcs].Axis;
-          const double maximum = HighestDome * grid.Width(axis, cycles.Cell[cycle][axis]);
+          const double maximum = MaxDome * grid.Width(axis, cycles.Cell[cycle][axis]);
           center = polygon.Dome(axis, half.Above ? maximum : -maximum);
         }
         else

@@ -20,7 +20,8 @@ enum class CentralPointMethod
 /**
  * Least distance of a central point from the faces of its cell, as a part of the cell's width. A
  * cell is convex, so that the rays from a point strictly inside to the points of its boundary
- * meet nowhere else: the fan of a polygon without crossings has none either.
+ * meet nowhere else: the fan of a polygon without crossings has none either. A thousandth is far more
+ * than floats need to resolve it, and less than the errors of central points.
  */
 constexpr double CentralPointMargin = 1e-3;
 

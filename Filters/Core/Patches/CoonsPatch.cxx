@@ -52,6 +52,7 @@ struct HalfArcCurve
   }
 };
 
+/// Builds the Coons patch of one polygon.
 class CoonsBuilder
 {
 public:
@@ -117,7 +118,7 @@ void CoonsBuilder::SetSides(std::size_t quadrilateral)
   this->Before.Set(this->Border, node, q.First);
 }
 
-/// From the middle of the arc after the node point to the central point.
+/// Adds the points from the middle of the arc after the node point to the central point.
 void CoonsBuilder::AddSpoke(std::size_t quadrilateral)
 {
   this->SetSides(quadrilateral);
@@ -127,6 +128,7 @@ void CoonsBuilder::AddSpoke(std::size_t quadrilateral)
   }
 }
 
+/// Adds the points within a quadrilateral, by blending its four sides.
 void CoonsBuilder::AddInside(std::size_t quadrilateral)
 {
   this->SetSides(quadrilateral);
@@ -145,6 +147,7 @@ void CoonsBuilder::AddInside(std::size_t quadrilateral)
   }
 }
 
+/// Adds two triangles for each mesh of a quadrilateral that has no side on the border.
 void CoonsBuilder::AddMeshes(std::size_t quadrilateral)
 {
   const auto corner = [&](Index a, Index b) { return this->Corner(quadrilateral, a, b); };
@@ -158,7 +161,7 @@ void CoonsBuilder::AddMeshes(std::size_t quadrilateral)
   }
 }
 
-/// Between the vertices of the arcs and the first row of points inside.
+/// Adds the triangles between the vertices of the arcs and the first row of points inside.
 void CoonsBuilder::AddStrip(std::size_t quadrilateral)
 {
   this->SetSides(quadrilateral);

@@ -8,6 +8,21 @@
 
 namespace orthoslices
 {
+namespace
+{
+/**
+ * Weight of the middle of the border, where that of all its tangent planes is 1. Along an edge that
+ * crosses the cell straight the planes leave the point's place open: it stays beside the middle. A
+ * vertex where planes meet is moved towards the middle by a few thousandths of its distance from it.
+ */
+constexpr double WeightOfMiddle = 1e-3;
+
+/// How far the point may lie from the middle of the border, in its mean radii: planes that are nearly
+/// parallel meet anywhere. The corner of a cube in the middle of its
+/// cell is 1.1 radii off.
+constexpr double MaxOffset = 1.5;
+}
+
 bool HasCorner(const PatchBorder& border, const std::vector<std::uint8_t>& corners)
 {
   return !corners.empty() &&
@@ -18,11 +33,8 @@ bool HasCorner(const PatchBorder& border, const std::vector<std::uint8_t>& corne
 double BuildCreasePatch(const SpatialGrid& grid, const PatchBorder& border,
   const std::vector<std::uint8_t>& corners, InnerPatch& patch)
 {
-  // Where the planes leave a direction open, the point stays beside the middle of the border.
-  constexpr double stay = 1e-3;
-  // In mean radii of the border; planes that are nearly parallel meet anywhere.
-  constexpr double farthest = 1.5;
-  double matrix[3][3] = { { stay, 0.0, 0.0 }, { 0.0, stay, 0.0 }, { 0.0, 0.0, stay } };
+  double matrix[3][3] = { { WeightOfMiddle, 0.0, 0.0 }, { 0.0, WeightOfMiddle, 0.0 },
+    { 0.0, 0.0, WeightOfMiddle } };
   double right[3] = {};
   double radius2 = 0.0;
   for (std::size_t i = 0; i < border.Points.size(); ++i)
@@ -51,7 +63,7 @@ double BuildCreasePatch(const SpatialGrid& grid, const PatchBorder& border,
   }
   Substitute(matrix, right);
   const Point3 offset{ right[0], right[1], right[2] };
-  if (Dot(offset, offset) > farthest * farthest * radius2)
+  if (Dot(offset, offset) > MaxOffset * MaxOffset * radius2)
   {
     return HUGE_VAL;
   }

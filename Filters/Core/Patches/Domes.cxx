@@ -13,6 +13,14 @@ namespace orthoslices
 {
 namespace
 {
+/// Component along the axis of the unit normals from which a surface is a height function over the
+/// slice. Less, and it is upright within the error of normals, about 0.1 radians at worst.
+constexpr double MinUpward = 0.1;
+
+/// Weight of the loop in the fit, where that of the polygon's border and that of its normals are 1:
+/// the loop is nearest to the top of the dome, and the quadratic must pass through it.
+constexpr double WeightOfLoop = 10.0;
+
 /// A loop as its dome has it.
 struct DomeBase
 {
@@ -64,7 +72,7 @@ void DomeBase::Set(const CycleGeometry& geometry, Index cycle)
   this->Radius = std::sqrt(radius2);
 }
 
-/// The height of the dome that goes on from a polygon; 0 if there is none.
+/// Fits the height of the dome over a loop to the polygon on the loop's other side.
 class DomeFit
 {
 public:
@@ -92,13 +100,12 @@ private:
 /// Whether the surface at all node points faces up or all down.
 bool DomeFit::IsHeightFunction(const DomeBase& base) const
 {
-  constexpr double minimum = 0.1; // else nearly upright
   double side = 0.0;
   for (const Index place : this->NodePlaces)
   {
     const Point3 normal = this->NormalAt(this->Border[place]);
     const double up = normal[base.Axis];
-    if (!(std::abs(up) > minimum * Length(normal)) || up * side < 0.0)
+    if (!(std::abs(up) > MinUpward * Length(normal)) || up * side < 0.0)
     {
       return false;
     }
@@ -107,9 +114,9 @@ bool DomeFit::IsHeightFunction(const DomeBase& base) const
   return !this->NodePlaces.empty();
 }
 
+/// The height of the dome over the middle of the loop; 0 if the polygon tells none.
 double DomeFit::HeightOver(const DomeBase& base, Index polygon)
 {
-  constexpr double weightOfLoop = 10.0; // that of the polygon, which is farther away, is 1
   this->Geometry.GetBoundary(polygon, this->Border, this->NodePlaces);
   if (!this->IsHeightFunction(base))
   {
@@ -140,7 +147,7 @@ double DomeFit::HeightOver(const DomeBase& base, Index polygon)
   for (const Point3& point : base.Points)
   {
     const Point3 p = (1.0 / unit) * base.ToLocal(point - base.Center);
-    fit.AddPoint(p[0], p[1], p[2], weightOfLoop / static_cast<double>(base.Points.size()));
+    fit.AddPoint(p[0], p[1], p[2], WeightOfLoop / static_cast<double>(base.Points.size()));
   }
   return unit * fit.HeightAtOrigin();
 }

@@ -20,8 +20,9 @@ void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
   const std::vector<double>& nodeNormals, std::vector<double>& centralPoints);
 
 /**
- * Of each loop, the component along its axis of the outward unit normals of the surface, as if its
- * dome was a part of a sphere; 0 for loops without a dome, or with two.
+ * Estimates, for each loop, the component along its axis of the surface's outward unit normals, as if
+ * its dome was a part of a sphere; 0 for loops without a dome, or with two. A dome as high as its loop
+ * is wide is a hemisphere, whose normals at the loop lie in the slice.
  */
 std::vector<double> TiltOfDomes(const CycleGeometry& geometry,
   const std::vector<double>& centralPoints, const std::vector<PatchMesh>& meshes);

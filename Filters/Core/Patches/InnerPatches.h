@@ -19,7 +19,7 @@ namespace orthoslices
  *      NeedsNormals and GivesNormals for it;
  *   2. a function in InnerPatches.cxx that builds the patch of one polygon, from its border to an
  *      InnerPatch, and its name in FillerOf there;
- *   3. its name among the values of the property in the filter's header and the plugin's panel.
+ *   3. its name in PatchType of vtkOrthogonalSliceReconstruction.h and of the plugin's XML.
  *
  * The function guarantees, whenever it returns true:
  *   - The triangles are a disc whose border is the polygon's, each side of it passed once in its

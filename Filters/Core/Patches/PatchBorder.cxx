@@ -9,9 +9,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Distance of inner points from the faces of their cell, as a part of the cell's width.
-constexpr double InnerMargin = 1e-5;
-
+/// The part of a cell in which the points inside a patch may be: without limit where the cell has
+/// none.
 Box3 RoomInside(const SpatialGrid& grid, const std::array<Index, 3>& cell)
 {
   Box3 room;

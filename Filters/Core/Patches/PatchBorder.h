@@ -12,6 +12,14 @@
 
 namespace orthoslices
 {
+/**
+ * Least distance of the points inside a patch from the faces of their cell, as a part of the cell's
+ * width. The surface may run along a face, so it is far less than CentralPointMargin: points moved
+ * by it are off the surface by a hundredth of what smooth patches are accurate to. Where the
+ * precision does not resolve it, the grid's Margin takes its place.
+ */
+constexpr double InnerMargin = 1e-5;
+
 /// The border of a patch of one cycle, with the surface's normals: what patches are made of.
 struct PatchBorder
 {

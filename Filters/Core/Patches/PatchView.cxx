@@ -7,6 +7,16 @@
 
 namespace orthoslices
 {
+namespace
+{
+/// Length of the mean of unit normals below which they point all around, and their mean nowhere.
+constexpr double MinMeanNormal = 1e-3;
+
+/// Twice the area of a projected triangle, in squared mean radii, from which its orientation is
+/// certain: places are about 1, and known to some 1e-15; a thousand times that is left for growth.
+constexpr double CertainArea = 1e-12;
+}
+
 Point3 PatchView::Turn(const Point3& d) const
 {
   return { Dot(d, this->Axes[0]), Dot(d, this->Axes[1]), Dot(d, this->Axes[2]) };
@@ -24,9 +34,6 @@ Point3 PatchView::ToWorld(const Point3& local) const
 
 bool PatchView::Set(const PatchBorder& border)
 {
-  // Lines from nearer than that are of no use: most patches are less bent.
-  constexpr double maxBend = 1.2;
-  constexpr double nearest = 0.3;
   const std::size_t n = border.Places.size();
   this->Origin = border.Center;
   Point3 normal{ 0.0, 0.0, 0.0 };
@@ -37,9 +44,7 @@ bool PatchView::Set(const PatchBorder& border)
     radius2 += border.Weights[i] * SquaredDistance(border.Center, border.Places[i]);
   }
   this->Unit = std::sqrt(radius2);
-  // Normals all around have no mean.
-  constexpr double minMean = 1e-3;
-  if (!(this->Unit > 0.0) || !(Length(normal) > minMean))
+  if (!(this->Unit > 0.0) || !(Length(normal) > MinMeanNormal))
   {
     return false;
   }
@@ -56,10 +61,12 @@ bool PatchView::Set(const PatchBorder& border)
     extent += border.Weights[i] * (p[0] * p[0] + p[1] * p[1]);
   }
   this->Bend = extent > 0.0 ? divergence / extent : 0.0;
-  this->Bend = std::max(-maxBend, std::min(maxBend, this->Bend));
+  this->Bend = std::max(-MaxBend, std::min(MaxBend, this->Bend));
   for (const Point3& p : this->LocalPlaces)
   {
-    this->Bend = 1.0 + this->Bend * p[2] < nearest ? (nearest - 1.0) / p[2] : this->Bend;
+    this->Bend = 1.0 + this->Bend * p[2] < MinDistanceFromCenter
+      ? (MinDistanceFromCenter - 1.0) / p[2]
+      : this->Bend;
   }
   this->Projected.resize(n);
   std::transform(this->LocalPlaces.begin(), this->LocalPlaces.end(), this->Projected.begin(),
@@ -87,8 +94,6 @@ double PatchView::Clamp(const Point2& p, const Box3& box, double z) const
 
 bool PatchView::SeesAll(const InnerPatch& patch) const
 {
-  // Places are about 1, and known to some 1e-15.
-  constexpr double certain = 1e-12;
   std::vector<Point2> inner(patch.Points.size());
   for (std::size_t i = 0; i < inner.size(); ++i)
   {
@@ -105,7 +110,7 @@ bool PatchView::SeesAll(const InnerPatch& patch) const
     [&](const std::array<Index, 3>& t)
     {
       const Point2 &a = at(t[0]), &b = at(t[1]), &c = at(t[2]);
-      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > certain;
+      return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > CertainArea;
     });
 }
 }

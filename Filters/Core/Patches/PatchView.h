@@ -12,6 +12,22 @@
 namespace orthoslices
 {
 /**
+ * The most by which lines spread, as the border's mean radius by the distance of their centre. The
+ * normals of a patch that is bent more point so far apart that a centre says nothing of it. Half the
+ * value makes exact cuts worse by 0.4 % at most, twice as much changes nothing
+ * (Testing/Benchmarks/PatchErrors).
+ */
+constexpr double MaxBend = 1.2;
+
+/**
+ * The least distance of the border from the centre of the lines, as a part of the distance of the
+ * border's middle: nearer, the scale at which lines are seen would more than triple over the patch.
+ * Half as much changes nothing, twice as much makes noisy contours worse by 1 %
+ * (Testing/Benchmarks/PatchErrors).
+ */
+constexpr double MinDistanceFromCenter = 0.3;
+
+/**
  * How a patch is looked at. A point (u, v) of the plane stands for a line in space, which meets the
  * patch once: parallel to the mean normal, or, where the patch is bent, through a center of its
  * curvature. Local coordinates have their origin at the centroid of the border, their z-axis along

@@ -8,6 +8,14 @@ namespace orthoslices
 {
 namespace
 {
+/**
+ * Added to the diagonal for the monomials of each degree: keeps coefficients small of which the
+ * contour says little, so that of all fitting heights the flattest is taken. Data count about 1 each
+ * in the units that places are taken in, so these give way to any data, and are far above rounding
+ * (1e-16); higher degrees, which fewer points determine, are held more firmly.
+ */
+constexpr double Flattening[] = { 1e-12, 1e-12, 1e-8, 1e-7 };
+
 /// The derivatives of all monomials.
 template <int Count>
 void Differentiate(
@@ -65,10 +73,8 @@ void SlopeOverSlice::AddSlope(const Point2& place, const Point2& slope)
 
 bool SlopeOverSlice::Fit()
 {
-  // Keeps coefficients small of which the contour says little.
-  constexpr double flattening[Degree + 1] = { 1e-12, 1e-12, 1e-8, 1e-7 };
   ForMonomials(
-    Degree, [&](int number, int i, int j) { this->Matrix[number][number] += flattening[i + j]; });
+    Degree, [&](int number, int i, int j) { this->Matrix[number][number] += Flattening[i + j]; });
   if (!Factorize(this->Matrix))
   {
     return false;

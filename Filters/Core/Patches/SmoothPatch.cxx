@@ -8,23 +8,68 @@ namespace orthoslices
 {
 namespace
 {
-/// Slopes of the function along a line that say nothing of where it is zero.
+// Lengths are in mean radii of the border, as everywhere in PatchView. Half and twice as much of
+// MinSlope, MaxDeviation and MaxStep change the errors that Testing/Benchmarks/PatchErrors prints by
+// less than 0.05 %.
+
+/// Slope of the function along a line below which it says nothing of where the zero is. The gradient
+/// is about 1 where the surface is: there the line meets it at less than 6 degrees.
 constexpr double MinSlope = 0.1;
-/// Sides of the border shorter than that, in mean radii of it, are not refined to.
+
+/// Sides of the border that are shorter do not make the triangles beside them as small: points would
+/// crowd around them.
 constexpr double MinSide = 1e-3;
-/// How far zeros may lie from the middle of the border, or from its heights, in its mean radii.
+
+/// How far zeros may lie from the middle of the border, or from its heights. The top of a hemisphere
+/// lies 1 off the middle of its rim: farther zeros are others, of another part of the function.
 constexpr double MaxDeviation = 1.5;
 
-/// Points of a border times points inside: all of a border's points count for each.
+/// Normals of the border nearer to the middle than this (its border may pass close by) count as so
+/// far away: else the curvature that they tell would have no bound.
+constexpr double MinDistanceForCurvature = 0.5;
+
+/// Newton's steps are cut to this: the polynomial is known on a few radii, and where its slope is
+/// small, steps would leave them.
+constexpr double MaxStep = 0.3;
+
+/// Step of the polynomial after which the function itself, which takes all points of the border, is
+/// asked: what it adds is about as large.
+constexpr double MaxPolynomialStep = 1e-3;
+
+/// Step of the function that is the last one: the next would be about its square, 1e-10.
+constexpr double LastStep = 1e-5;
+
+/// After that many steps there is none near: MaxDeviation takes 5 of MaxStep, and convergence some 5.
+constexpr int MaxSteps = 16;
+
+/// Distance of the places at which a sign is looked for where Newton's method fails: 25 on each side
+/// up to MaxDeviation. Sheets of the function closer than that are not told apart.
+constexpr double SearchStep = 0.06;
+
+/// Bisections of a SearchStep: to 6e-11.
+constexpr int SearchBisections = 30;
+
+/// How many times as far as the nearest place in the cell a place on the line may be. Where the line
+/// runs along a face of the cell, any place on it in the cell may be far off the surface.
+constexpr double MaxDetour = 3.0;
+
+/// Points of a border times points inside: all of a border's points count for each. That many take
+/// about 50 ms.
 constexpr std::size_t MaxWork = 2000000;
 
+/// Added to squared distances: no division by zero at a point of the border.
+constexpr double Softening = 1e-24;
+
+/// The greatest number of points of a triangulation with so many on the border. Two thousand more
+/// suffice for an edge length of 0.025 plane spacings, a tenth of the default; the bound guards
+/// against one near zero.
 std::size_t MaxPoints(std::size_t border)
 {
   return border + std::min(9 * border + 2000, MaxWork / border);
 }
 }
 
-/// In the plane.
+/// The length of triangle sides that the resolution asks for, in the plane of the view.
 double SmoothPatchBuilder::SizeOfTriangles() const
 {
   double size = this->Resolution.EdgeLength;
@@ -39,7 +84,8 @@ double SmoothPatchBuilder::SizeOfTriangles() const
     {
       const double distance = std::hypot(places[i][0], places[i][1]);
       const double tilt = std::hypot(normals[i][0], normals[i][1]);
-      change = distance > 0.0 ? std::max(change, tilt / std::max(distance, 0.5)) : change;
+      change = distance > 0.0 ? std::max(change, tilt / std::max(distance, MinDistanceForCurvature))
+                              : change;
     }
     const double curvature = change / this->View.Radius();
     const double length = std::sqrt(8.0 * this->Resolution.ChordTolerance / curvature);
@@ -56,7 +102,7 @@ double SmoothPatchBuilder::HeightAtBorder(const Point2& p) const
   for (std::size_t i = 0; i < border.size(); ++i)
   {
     const double x = p[0] - border[i][0], y = p[1] - border[i][1];
-    const double w = 1.0 / (x * x + y * y + 1e-24);
+    const double w = 1.0 / (x * x + y * y + Softening);
     weights += w;
     sum += w * this->View.Places()[i][2];
   }
@@ -67,14 +113,10 @@ double SmoothPatchBuilder::HeightAtBorder(const Point2& p) const
 /// gradient is that of the function at z or hardly off it.
 bool SmoothPatchBuilder::FindHeight(const Point2& p, double& z, Point3& gradient) const
 {
-  constexpr double longest = 0.3;
-  constexpr double nearEnough = 1e-3;
-  constexpr double precision = 1e-5; // the next step would be its square
-  constexpr int maximum = 16;
   const Point3 line = this->View.LineAt(p);
   z = 0.0;
   bool polynomial = true;
-  for (int i = 0; i < maximum; ++i)
+  for (int i = 0; i < MaxSteps; ++i)
   {
     const Point3 at = this->View.OnLine(p, z);
     const double value =
@@ -84,13 +126,13 @@ bool SmoothPatchBuilder::FindHeight(const Point2& p, double& z, Point3& gradient
     {
       return false;
     }
-    const double step = std::max(-longest, std::min(longest, value / slope));
+    const double step = std::max(-MaxStep, std::min(MaxStep, value / slope));
     z -= step;
-    if (!polynomial && std::abs(step) < precision)
+    if (!polynomial && std::abs(step) < LastStep)
     {
       return std::abs(z) < MaxDeviation;
     }
-    polynomial = polynomial && std::abs(step) > nearEnough;
+    polynomial = polynomial && std::abs(step) > MaxPolynomialStep;
   }
   return false;
 }
@@ -99,19 +141,18 @@ bool SmoothPatchBuilder::FindHeight(const Point2& p, double& z, Point3& gradient
 bool SmoothPatchBuilder::SearchHeight(
   const Point2& p, double guess, double& z, Point3& gradient) const
 {
-  constexpr double step = 0.06;
   const auto valueAt = [&](double height)
   { return this->Surface(this->View.OnLine(p, height), gradient); };
   double above = valueAt(guess), below = above;
-  for (double d = step; d < MaxDeviation; d += step)
+  for (double d = SearchStep; d < MaxDeviation; d += SearchStep)
   {
     const double nextAbove = valueAt(guess + d), nextBelow = valueAt(guess - d);
     const bool isAbove = above < 0.0 && nextAbove >= 0.0;
     if (isAbove || (nextBelow < 0.0 && below >= 0.0))
     {
-      double inside = isAbove ? guess + d - step : guess - d;
-      double outside = inside + step;
-      for (int i = 0; i < 30; ++i)
+      double inside = isAbove ? guess + d - SearchStep : guess - d;
+      double outside = inside + SearchStep;
+      for (int i = 0; i < SearchBisections; ++i)
       {
         z = 0.5 * (inside + outside);
         (valueAt(z) < 0.0 ? inside : outside) = z;
@@ -138,14 +179,13 @@ void SmoothPatchBuilder::PlacePoint(
       gradient = { 0.0, 0.0, 0.0 }; // the triangles say more of the normal
     }
   }
-  // Along the line, unless that is much farther, as where the line runs along a face of the cell.
-  constexpr double farther = 3.0;
+  // Along the line, unless that is much farther.
   const Point3 wanted = this->View.ToWorld(this->View.OnLine(p, z));
   const Point3 nearest = border.MoveInside(this->Grid, wanted);
   const Point3 onLine =
     this->View.ToWorld(this->View.OnLine(p, this->View.Clamp(p, border.Room, z)));
   const bool isNear =
-    SquaredDistance(wanted, onLine) <= farther * farther * SquaredDistance(wanted, nearest);
+    SquaredDistance(wanted, onLine) <= MaxDetour * MaxDetour * SquaredDistance(wanted, nearest);
   const Point3 place = isNear ? border.MoveInside(this->Grid, onLine) : nearest;
   patch.Points.push_back(place);
   patch.Normals.push_back(Unit(this->View.DirectionToWorld(gradient)));
@@ -179,7 +219,7 @@ bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)
   {
     this->PlacePoint(border, this->Disc.Points[i], patch);
   }
-  for (const DiscTriangulation::Triangle& triangle : this->Disc.Triangles)
+  for (const LinkedTriangle& triangle : this->Disc.Triangles)
   {
     std::array<Index, 3> corners = triangle.Corners;
     for (Index& corner : corners)

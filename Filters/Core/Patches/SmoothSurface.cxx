@@ -12,15 +12,29 @@ namespace orthoslices
 {
 namespace
 {
+/// The degree of the polynomial. Its error falls with the fifth power of the patch's size; that of the normals it
+/// is fitted to falls with the third power, and makes heights wrong by the fourth. So a higher degree
+/// would gain nothing, and a lower one would lose what the normals tell.
 constexpr int Degree = 4;
+
+/// Products with normals are derivatives of monomials, which have one degree less.
+constexpr int DerivativeTerms = MonomialCount(Degree - 1);
+
+/// Added to squared distances, in squared mean radii of the border: no division by zero at a point
+/// of the border, and 1e-12 of a radius from it no longer matters.
+constexpr double Softening = 1e-24;
 
 /**
  * The weight of nothing being left by the polynomial. What is left fades out at about two thirds of
- * the border's mean radius: noise of the contours stays near the border.
+ * the border's mean radius: noise of the contours stays near the border. Half and twice the value
+ * change distances by +2 % and -2 % for noisy contours, +3 % and -2 % for exact ones, at most
+ * (Testing/Benchmarks/PatchErrors).
  */
 constexpr double Fading = 5.0;
 
-/// Keeps coefficients small of which the border says little: the flattest surface is taken.
+/// Added to the diagonal for the monomials of each degree: keeps coefficients small of which the border
+/// says little, so that the flattest surface is taken. Data count about 1, so these give way to them.
+/// Half and twice as much change distances by 0.1 % (Testing/Benchmarks/PatchErrors).
 constexpr double Flattening[Degree + 1] = { 1e-12, 1e-12, 1e-7, 1e-5, 1e-4 };
 }
 
@@ -28,7 +42,7 @@ bool SmoothSurface::Fit(const std::vector<Point3>& zeros, const std::vector<Poin
   const std::vector<double>& weights)
 {
   double moments[Moments] = {};
-  double withZ[Terms] = {}, withX[10] = {}, withY[10] = {};
+  double withZ[Terms] = {}, withX[DerivativeTerms] = {}, withY[DerivativeTerms] = {};
   double zz = 0.0, gz = 0.0;
   for (std::size_t i = 0; i < zeros.size(); ++i)
   {
@@ -43,7 +57,7 @@ bool SmoothSurface::Fit(const std::vector<Point3>& zeros, const std::vector<Poin
     {
       withZ[k] += p[2] * values[k];
     }
-    for (int k = 0; k < 10; ++k)
+    for (int k = 0; k < DerivativeTerms; ++k)
     {
       withX[k] += g[0] * values[k];
       withY[k] += g[1] * values[k];
@@ -132,7 +146,7 @@ double SmoothSurface::operator()(const Point3& p, Point3& gradient) const
   for (const Residual& r : this->Residuals)
   {
     const double dx = p[0] - r.Place[0], dy = p[1] - r.Place[1], dz = p[2] - r.Place[2];
-    const double inverse = 1.0 / (dx * dx + dy * dy + dz * dz + 1e-24);
+    const double inverse = 1.0 / (dx * dx + dy * dy + dz * dz + Softening);
     const double w = r.Weight * inverse * inverse;
     const double value = r.Value + r.Gradient[0] * dx + r.Gradient[1] * dy + r.Gradient[2] * dz;
     const double change = w * inverse, changeOfValue = change * value;

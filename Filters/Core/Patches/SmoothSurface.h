@@ -34,8 +34,8 @@ public:
   double Deviation() const;
 
 private:
-  static constexpr int Terms = 15;
-  static constexpr int Moments = 45; ///< of two coordinates, up to degree eight
+  static constexpr int Terms = 15;   ///< of a polynomial of two coordinates, of degree four
+  static constexpr int Moments = 45; ///< of products of two such terms, of degree eight
   void SetResidual(const std::vector<Point3>& zeros, const std::vector<Point3>& gradients,
     const std::vector<double>& weights);
 

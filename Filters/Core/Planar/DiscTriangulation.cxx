@@ -116,37 +116,17 @@ bool DiscTriangulation::StartWithEars(const std::vector<Point2>& border)
   return true;
 }
 
-int DiscTriangulation::SideTo(Index t, Index neighbor) const
-{
-  const auto& n = this->Triangles[t].Neighbors;
-  return n[0] == neighbor ? 0 : n[1] == neighbor ? 1 : 2;
-}
-
-void DiscTriangulation::Relink(Index t, Index from, Index to)
-{
-  if (t >= 0)
-  {
-    this->Triangles[t].Neighbors[this->SideTo(t, from)] = to;
-  }
-}
-
 /// Whether the point across a side lies outside the circumcircle, or the side cannot be flipped.
-bool DiscTriangulation::IsDelaunay(const Triangle& t, int side) const
+bool DiscTriangulation::IsDelaunay(const TriangleSide& side) const
 {
-  const Index other = t.Neighbors[side];
-  if (other < 0)
+  if (this->Triangles.NeighborOf(side) < 0)
   {
     return true;
   }
-  const Triangle& o = this->Triangles[other];
-  const Index ia = t.Corners[side], ib = t.Corners[(side + 1) % 3], ic = t.Corners[(side + 2) % 3];
-  Index id = o.Corners[0];
-  for (const Index corner : o.Corners)
-  {
-    id = corner != ia && corner != ib ? corner : id;
-  }
-  const Point2 &a = this->Points[ia], &b = this->Points[ib], &c = this->Points[ic],
-               &d = this->Points[id];
+  const Point2& a = this->Points[this->Triangles.StartOf(side)];
+  const Point2& b = this->Points[this->Triangles.EndOf(side)];
+  const Point2& c = this->Points[this->Triangles.ApexOf(side)];
+  const Point2& d = this->Points[this->Triangles.ApexOf(this->Triangles.BackOf(side))];
   // Angles at c and d opposite to the side ab: their sum is at most 180 degrees.
   const double cax = a[0] - c[0], cay = a[1] - c[1], cbx = b[0] - c[0], cby = b[1] - c[1];
   const double dax = a[0] - d[0], day = a[1] - d[1], dbx = b[0] - d[0], dby = b[1] - d[1];
@@ -162,20 +142,15 @@ bool DiscTriangulation::IsDelaunay(const Triangle& t, int side) const
 }
 
 /// Replaces the common side of two triangles by the other diagonal.
-void DiscTriangulation::Flip(Index t, int side)
+void DiscTriangulation::Flip(const TriangleSide& side)
 {
-  Triangle& one = this->Triangles[t];
-  const Index u = one.Neighbors[side];
-  Triangle& two = this->Triangles[u];
-  const int other = this->SideTo(u, t);
-  const Index a = one.Corners[side], b = one.Corners[(side + 1) % 3],
-              c = one.Corners[(side + 2) % 3], d = two.Corners[(other + 2) % 3];
-  const Index bc = one.Neighbors[(side + 1) % 3], ca = one.Neighbors[(side + 2) % 3];
-  const Index ad = two.Neighbors[(other + 1) % 3], db = two.Neighbors[(other + 2) % 3];
-  one = { { c, a, d }, { ca, ad, u } };
-  two = { { d, b, c }, { db, bc, t } };
-  this->Relink(ad, u, t);
-  this->Relink(bc, t, u);
+  const Index t = side.Triangle;
+  const Index u = this->Triangles.NeighborOf(side);
+  this->Triangles.Flip(side);
+  // Both begin with the new side's end on their own side: new points are computed from corner 0.
+  LinkedTriangle& one = this->Triangles[t];
+  one = { { one.Corners[2], one.Corners[0], one.Corners[1] },
+    { one.Neighbors[2], one.Neighbors[0], one.Neighbors[1] } };
   this->Doubtful.insert(this->Doubtful.end(), { { t, 0 }, { t, 1 }, { u, 0 }, { u, 1 } });
   this->Queue.push_back(t);
   this->Queue.push_back(u);
@@ -186,11 +161,11 @@ void DiscTriangulation::Legalize()
   std::size_t guard = 64 + 16 * this->Triangles.size();
   while (!this->Doubtful.empty() && guard-- > 0)
   {
-    const std::pair<Index, int> next = this->Doubtful.back();
+    const TriangleSide side = this->Doubtful.back();
     this->Doubtful.pop_back();
-    if (!this->IsDelaunay(this->Triangles[next.first], next.second))
+    if (!this->IsDelaunay(side))
     {
-      this->Flip(next.first, next.second);
+      this->Flip(side);
     }
   }
   this->Doubtful.clear();
@@ -203,7 +178,7 @@ void DiscTriangulation::MakeDelaunay()
   {
     for (int side = 0; side < 3; ++side)
     {
-      this->Doubtful.emplace_back(static_cast<Index>(t), side);
+      this->Doubtful.push_back({ static_cast<Index>(t), side });
     }
   }
   this->Legalize();
@@ -215,7 +190,7 @@ Index DiscTriangulation::Locate(Index from, const Point2& p) const
   Index t = from;
   for (std::size_t steps = 0; steps <= this->Triangles.size(); ++steps)
   {
-    const Triangle& triangle = this->Triangles[t];
+    const LinkedTriangle& triangle = this->Triangles[t];
     Index next = -2;
     for (int i = 0; i < 3 && next == -2; ++i)
     {
@@ -236,7 +211,7 @@ Index DiscTriangulation::Locate(Index from, const Point2& p) const
 bool DiscTriangulation::Encroaches(Index t, const Point2& p) const
 {
   constexpr double cosine = -0.5;
-  const auto tooNear = [&](const Triangle& triangle)
+  const auto tooNear = [&](const LinkedTriangle& triangle)
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -254,7 +229,7 @@ bool DiscTriangulation::Encroaches(Index t, const Point2& p) const
     }
     return false;
   };
-  const Triangle& triangle = this->Triangles[t];
+  const LinkedTriangle& triangle = this->Triangles[t];
   if (tooNear(triangle))
   {
     return true;
@@ -265,26 +240,17 @@ bool DiscTriangulation::Encroaches(Index t, const Point2& p) const
 
 void DiscTriangulation::Insert(Index t, const Point2& p)
 {
-  const Index v = static_cast<Index>(this->Points.size());
-  this->Points.push_back(p);
   const Index u = static_cast<Index>(this->Triangles.size());
-  const Index w = u + 1;
-  const Triangle old = this->Triangles[t];
-  const auto& c = old.Corners;
-  const auto& n = old.Neighbors;
-  this->Triangles[t] = { { c[0], c[1], v }, { n[0], u, w } };
-  this->Triangles.push_back({ { c[1], c[2], v }, { n[1], w, t } });
-  this->Triangles.push_back({ { c[2], c[0], v }, { n[2], t, u } });
-  this->Relink(n[1], t, u);
-  this->Relink(n[2], t, w);
-  this->Doubtful.insert(this->Doubtful.end(), { { t, 0 }, { u, 0 }, { w, 0 } });
-  this->Queue.insert(this->Queue.end(), { t, u, w });
+  this->Triangles.Divide(t, static_cast<Index>(this->Points.size()));
+  this->Points.push_back(p);
+  this->Doubtful.insert(this->Doubtful.end(), { { t, 0 }, { u, 0 }, { u + 1, 0 } });
+  this->Queue.insert(this->Queue.end(), { t, u, u + 1 });
   this->Legalize();
 }
 
 /// Where a point would mend a triangle; false if it needs none.
 bool DiscTriangulation::FindNewPoint(
-  const Triangle& t, double size, double minimum, Point2& p) const
+  const LinkedTriangle& t, double size, double minimum, Point2& p) const
 {
   const Point2 &a = this->Points[t.Corners[0]], &b = this->Points[t.Corners[1]],
                &c = this->Points[t.Corners[2]];
@@ -343,25 +309,12 @@ void DiscTriangulation::Refine(double size, std::size_t maxPoints, double minimu
 }
 
 /// Adds a point in the middle of a side inside the disc.
-void DiscTriangulation::Split(Index t, int side)
+void DiscTriangulation::Split(const TriangleSide& side)
 {
-  const Triangle one = this->Triangles[t];
-  const Index u = one.Neighbors[side];
-  const Triangle two = this->Triangles[u];
-  const int other = this->SideTo(u, t);
-  const Index a = one.Corners[side], b = one.Corners[(side + 1) % 3],
-              c = one.Corners[(side + 2) % 3], d = two.Corners[(other + 2) % 3];
-  const Index bc = one.Neighbors[(side + 1) % 3], ca = one.Neighbors[(side + 2) % 3];
-  const Index ad = two.Neighbors[(other + 1) % 3], db = two.Neighbors[(other + 2) % 3];
-  const Index m = static_cast<Index>(this->Points.size());
-  this->Points.push_back({ 0.5 * (this->Points[a][0] + this->Points[b][0]),
-    0.5 * (this->Points[a][1] + this->Points[b][1]) });
-  const Index v = static_cast<Index>(this->Triangles.size()), w = v + 1;
-  this->Triangles[t] = { { c, a, m }, { ca, u, v } };
-  this->Triangles[u] = { { a, d, m }, { ad, w, t } };
-  this->Triangles.push_back({ { b, c, m }, { bc, t, w } });
-  this->Triangles.push_back({ { d, b, m }, { db, v, u } });
-  this->Relink(bc, t, v);
-  this->Relink(db, u, w);
+  const Point2& a = this->Points[this->Triangles.StartOf(side)];
+  const Point2& b = this->Points[this->Triangles.EndOf(side)];
+  const Point2 middle{ 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]) };
+  this->Triangles.Split(side, static_cast<Index>(this->Points.size()));
+  this->Points.push_back(middle);
 }
 }

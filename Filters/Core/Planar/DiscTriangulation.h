@@ -4,6 +4,7 @@
 #define OrthoSlicesDiscTriangulation_h
 
 #include "Core/Base/Predicates.h"
+#include "Core/Planar/TriangleAdjacency.h"
 
 #include <vector>
 
@@ -21,12 +22,6 @@ bool IsSimple(const std::vector<Point2>& polygon);
 class DiscTriangulation
 {
 public:
-  struct Triangle
-  {
-    std::array<Index, 3> Corners;
-    std::array<Index, 3> Neighbors; ///< across the side after each corner; -1 at the border
-  };
-
   /// The fan around a center; false if it does not see all of the border from its left.
   bool StartWithFan(const std::vector<Point2>& border, const Point2& center);
   /// Without points inside; false if the border is not simple and counter-clockwise.
@@ -45,12 +40,12 @@ public:
       int side = 0;
       while (side < 3)
       {
-        const Triangle& triangle = this->Triangles[t];
+        const LinkedTriangle& triangle = this->Triangles[t];
         const bool split = triangle.Neighbors[side] >= 0 &&
           isToSplit(triangle.Corners[side], triangle.Corners[(side + 1) % 3]);
         if (split)
         {
-          this->Split(static_cast<Index>(t), side);
+          this->Split({ static_cast<Index>(t), side });
         }
         side = split ? 0 : side + 1; // the triangle has become another one
       }
@@ -58,22 +53,20 @@ public:
   }
 
   std::vector<Point2> Points; ///< first those of the border
-  std::vector<Triangle> Triangles;
+  TriangleAdjacency Triangles;
 
 private:
-  bool IsDelaunay(const Triangle& t, int side) const;
-  void Flip(Index t, int side);
+  bool IsDelaunay(const TriangleSide& side) const;
+  void Flip(const TriangleSide& side);
   void Legalize();
-  void Split(Index t, int side);
+  void Split(const TriangleSide& side);
   void Insert(Index t, const Point2& p);
   Index Locate(Index from, const Point2& p) const;
   bool Encroaches(Index t, const Point2& p) const;
-  bool FindNewPoint(const Triangle& t, double size, double minimum, Point2& p) const;
-  int SideTo(Index t, Index neighbor) const;
-  void Relink(Index t, Index from, Index to);
+  bool FindNewPoint(const LinkedTriangle& t, double size, double minimum, Point2& p) const;
 
-  std::vector<std::pair<Index, int>> Doubtful;
-  std::vector<Index> Queue;
+  std::vector<TriangleSide> Doubtful; ///< sides that may have ceased to be Delaunay
+  std::vector<Index> Queue;           ///< triangles whose shape is still to be looked at
 };
 }
 

@@ -23,8 +23,7 @@ void ContourCurve::Set(std::vector<Point2>&& points)
 
 double ContourCurve::Distance(Index i, Index j) const
 {
-  const Point2 &p = this->Points[i], &q = this->Points[j];
-  return orthoslices::Distance(p, q);
+  return Length(this->Points[j] - this->Points[i]);
 }
 
 /// The difference to the first point that is `reach` away.

@@ -70,7 +70,7 @@ std::vector<double> ListOtherPoints(const Patches& patches)
 
 namespace
 {
-/// The fans of the quadrilaterals of one polygon.
+/// Writes the fans of the quadrilaterals of one polygon around its central point.
 template <typename Id>
 void WriteFans(const std::vector<Index>& border, const std::vector<Quadrilateral>& quadrilaterals,
   Id center, Id* out)
@@ -87,6 +87,7 @@ void WriteFans(const std::vector<Index>& border, const std::vector<Quadrilateral
   }
 }
 
+/// Writes the triangles of a mesh. `borders` are those of its cycles, one after another.
 template <typename Id>
 void WriteMesh(
   const PatchMesh& mesh, const std::vector<Index>& borders, Id centers, Id otherPoints, Id* out)
@@ -104,6 +105,7 @@ void WriteMesh(
   }
 }
 
+/// Writes the triangles of a patch with points inside, the first of which is `center`.
 template <typename Id>
 void WriteInner(
   const Patches& patches, Index patch, const std::vector<Index>& border, Id center, Id* out)

@@ -10,7 +10,7 @@
 
 namespace orthoslices
 {
-/// How well triangles are shaped.
+/// How well the triangles of a surface are shaped.
 struct TriangleQuality
 {
   double SmallestAngle = 0.0;       ///< of all triangles, in degrees
@@ -19,7 +19,7 @@ struct TriangleQuality
     0.0; ///< longest side by height over it: 1.15 at best, infinite for no area
 };
 
-/// Triangles are three ids each of points x, y, z.
+/// Measures the shapes of triangles, which are three ids each of points x, y, z.
 template <typename Coordinate, typename Id>
 TriangleQuality MeasureQuality(
   const Coordinate* points, const Id* triangles, std::int64_t count, const Execution& execution);
@@ -31,7 +31,7 @@ struct Curvatures
 };
 
 /**
- * From how the normals change along the sides of triangles (S. Rusinkiewicz, "Estimating Curvatures
+ * Measures curvatures from how the normals change along the sides of triangles (S. Rusinkiewicz, "Estimating Curvatures
  * and Their Derivatives on Triangle Meshes", 2004): in each triangle the best fitting second
  * fundamental form, and at a point the mean over its triangles, weighted by their areas. `normals`
  * are unit vectors, x, y, z of each point.

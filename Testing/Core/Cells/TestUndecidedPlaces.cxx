@@ -142,7 +142,7 @@ void ExpectGreedy(const CycleGeometry& geometry, const std::vector<CycleJoin>& j
   std::vector<OpenPlace> open;
   for (const CycleJoin& join : joins)
   {
-    if (join.Impossible || std::abs(join.Evidence) < 3.0)
+    if (join.Impossible || std::abs(join.Evidence) < DecisiveEvidence)
     {
       open.push_back(Describe(geometry, join));
     }

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/ReadSamples.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthoslices
+{
+namespace
+{
+/// Direction cosines may differ this much from 0, 1 and -1.
+constexpr double DirectionTolerance = 1e-6;
+
+/// The coordinate axis that an index axis of the image is parallel to, or -1.
+int ParallelAxis(vtkMatrix3x3* direction, int indexAxis)
+{
+  int parallel = -1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double cosine = std::abs(direction->GetElement(axis, indexAxis));
+    if (std::abs(cosine - 1.0) <= DirectionTolerance)
+    {
+      parallel = axis;
+    }
+    else if (!(cosine <= DirectionTolerance))
+    {
+      return -1;
+    }
+  }
+  return parallel;
+}
+
+/// The samples on the plane of one sample across `axis`.
+SamplePlane ReadPlane(
+  vtkDataArray* scalars, const SampleGrid& grid, int axis, Index sample, const Region& region)
+{
+  const SampleAxis& u = grid.Axes[FirstAxis(axis)];
+  const SampleAxis& v = grid.Axes[SecondAxis(axis)];
+  SamplePlane plane;
+  plane.SizeU = u.Count();
+  plane.SizeV = v.Count();
+  plane.Values.reserve(static_cast<std::size_t>(plane.SizeU) * plane.SizeV);
+  for (Index j = 0; j < plane.SizeV; ++j)
+  {
+    vtkIdType id = grid.First + sample * grid.Axes[axis].Stride + j * v.Stride;
+    for (Index i = 0; i < plane.SizeU; ++i, id += u.Stride)
+    {
+      plane.Values.push_back(region.Sample(scalars->GetComponent(id, 0)));
+    }
+  }
+  return plane;
+}
+}
+
+Index SampleAxis::Nearest(double coordinate) const
+{
+  const auto begin = this->Coordinates.begin() + 1;
+  const auto end = this->Coordinates.end() - 1;
+  const auto upper = std::upper_bound(begin, end, coordinate);
+  if (upper == begin || upper == end)
+  {
+    return upper == begin ? 0 : this->Count() - 1;
+  }
+  const bool lower = coordinate - *(upper - 1) < *upper - coordinate;
+  return static_cast<Index>(upper - begin) - (lower ? 1 : 0);
+}
+
+bool ReadSampleGrid(vtkImageData* image, SampleGrid& grid)
+{
+  const int* extent = image->GetExtent();
+  const int* size = image->GetDimensions();
+  const std::ptrdiff_t strides[] = { 1, size[0], static_cast<std::ptrdiff_t>(size[0]) * size[1] };
+  for (int indexAxis = 0; indexAxis < 3; ++indexAxis)
+  {
+    const int axis = ParallelAxis(image->GetDirectionMatrix(), indexAxis);
+    if (axis < 0 || !grid.Axes[axis].Coordinates.empty())
+    {
+      return false;
+    }
+    const bool ascends =
+      image->GetDirectionMatrix()->GetElement(axis, indexAxis) * image->GetSpacing()[indexAxis] >
+      0.0;
+    const double step = std::abs(image->GetSpacing()[indexAxis]);
+    const double origin = image->GetOrigin()[axis];
+    const int lowest = ascends ? extent[2 * indexAxis] : -extent[2 * indexAxis + 1];
+    SampleAxis& samples = grid.Axes[axis];
+    for (int i = -1; i <= size[indexAxis]; ++i)
+    {
+      samples.Coordinates.push_back(origin + step * (static_cast<double>(lowest) + i));
+    }
+    samples.Stride = ascends ? strides[indexAxis] : -strides[indexAxis];
+    grid.First += ascends ? 0 : strides[indexAxis] * (size[indexAxis] - 1);
+  }
+  return true;
+}
+
+void RoundCoordinates(Precision precision, SampleGrid& grid)
+{
+  for (SampleAxis& axis : grid.Axes)
+  {
+    for (double& coordinate : axis.Coordinates)
+    {
+      coordinate = RoundTo(precision, coordinate) + 0.0;
+    }
+  }
+}
+
+std::vector<Index> NearestSamples(
+  const SampleAxis& samples, const std::vector<double>& planes, bool dropBeyond)
+{
+  const double half = 0.5 * (samples.Coordinate(0) - samples.Coordinate(-1));
+  std::vector<Index> nearest;
+  for (const double plane : planes)
+  {
+    const Index sample = samples.Nearest(plane);
+    const bool beyond = std::abs(plane - samples.Coordinate(sample)) > half * (1.0 + 1e-9);
+    if (!(beyond && dropBeyond))
+    {
+      nearest.push_back(sample);
+    }
+  }
+  nearest.erase(std::unique(nearest.begin(), nearest.end()), nearest.end());
+  return nearest;
+}
+
+std::vector<PlaneContours> SliceSamples(vtkDataArray* scalars, const SampleGrid& grid, int axis,
+  const std::vector<Index>& samples, const Region& region, Precision precision,
+  const Execution& execution)
+{
+  std::vector<PlaneContours> contours(samples.size());
+  execution.For(contours.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        contours[i] = SliceImage(ReadPlane(scalars, grid, axis, samples[i], region),
+          region.Threshold(), grid.Axes[FirstAxis(axis)].Coordinates,
+          grid.Axes[SecondAxis(axis)].Coordinates, precision);
+      }
+    });
+  return contours;
+}
+}

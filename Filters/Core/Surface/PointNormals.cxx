@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surface/PointNormals.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthoslices
+{
+namespace
+{
+/// Sums the area vectors of the triangles at each point; in a fixed order, so always the same.
+template <typename Coordinate, typename Id>
+void SumAreas(const Coordinate* xyz, const Id* triangle, std::int64_t count, float* normals)
+{
+  for (const Id* end = triangle + 3 * count; triangle != end; triangle += 3)
+  {
+    const Coordinate* a = xyz + 3 * static_cast<std::int64_t>(triangle[0]);
+    const Coordinate* b = xyz + 3 * static_cast<std::int64_t>(triangle[1]);
+    const Coordinate* c = xyz + 3 * static_cast<std::int64_t>(triangle[2]);
+    const double ab[3] = { double(b[0]) - a[0], double(b[1]) - a[1], double(b[2]) - a[2] };
+    const double ac[3] = { double(c[0]) - a[0], double(c[1]) - a[1], double(c[2]) - a[2] };
+    const float area[3] = { static_cast<float>(ab[1] * ac[2] - ab[2] * ac[1]),
+      static_cast<float>(ab[2] * ac[0] - ab[0] * ac[2]),
+      static_cast<float>(ab[0] * ac[1] - ab[1] * ac[0]) };
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      float* normal = normals + 3 * static_cast<std::int64_t>(triangle[corner]);
+      normal[0] += area[0];
+      normal[1] += area[1];
+      normal[2] += area[2];
+    }
+  }
+}
+
+/// At each point, the sum of the area vectors at the corners of the triangles around: where these
+/// are slivers, those of the next triangles decide.
+template <typename Id>
+std::vector<float> SumAround(
+  const Id* triangle, std::int64_t count, std::size_t points, const float* areas)
+{
+  std::vector<float> sums(3 * points, 0.0f);
+  for (const Id* end = triangle + 3 * count; triangle != end; triangle += 3)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const float sum =
+        areas[3 * triangle[0] + k] + areas[3 * triangle[1] + k] + areas[3 * triangle[2] + k];
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        sums[3 * triangle[corner] + k] += sum;
+      }
+    }
+  }
+  return sums;
+}
+
+/// The squared cosine of 30 degrees.
+constexpr double SimilarCosine2 = 0.75;
+
+/// Whether a normal is within 30 degrees of an area vector.
+bool IsSimilar(const float* normal, const float* area)
+{
+  double product = 0.0, squared = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    product += double(normal[k]) * area[k];
+    squared += double(area[k]) * area[k];
+  }
+  return product > 0.0 && product * product > SimilarCosine2 * squared;
+}
+
+/// Divides by the length; zero remains zero.
+void Normalize(float* n)
+{
+  const double length = std::hypot(double(n[0]), double(n[1]), double(n[2]));
+  const double scale = length > 0.0 ? 1.0 / length : 0.0;
+  std::transform(n, n + 3, n, [&](float x) { return static_cast<float>(scale * x); });
+}
+}
+
+template <typename Coordinate, typename Id>
+void ComputePointNormals(const Coordinate* xyz, std::size_t points, const Id* triangles,
+  std::int64_t count, const std::vector<float>& smooth, const Execution& execution, float* normals)
+{
+  std::fill_n(normals, 3 * points, 0.0f);
+  SumAreas(xyz, triangles, count, normals);
+  const std::vector<float> around =
+    smooth.empty() ? std::vector<float>() : SumAround(triangles, count, points, normals);
+  execution.For(points,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        float* n = normals + 3 * i;
+        const float* s = smooth.empty() ? n : smooth.data() + 3 * i;
+        if (!smooth.empty() && (IsSimilar(s, n) || IsSimilar(s, around.data() + 3 * i)))
+        {
+          std::copy_n(s, 3, n);
+        }
+        else
+        {
+          Normalize(n);
+        }
+      }
+    });
+}
+
+#define ORTHOSLICES_INSTANTIATE(Coordinate, Id)                                              \
+  template void ComputePointNormals(const Coordinate*, std::size_t, const Id*, std::int64_t, \
+    const std::vector<float>&, const Execution&, float*);
+ORTHOSLICES_INSTANTIATE(float, std::int32_t)
+ORTHOSLICES_INSTANTIATE(float, long long)
+ORTHOSLICES_INSTANTIATE(double, std::int32_t)
+ORTHOSLICES_INSTANTIATE(double, long long)
+#undef ORTHOSLICES_INSTANTIATE
+}

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesPointNormals_h
+#define OrthoSlicesPointNormals_h
+
+#include "Core/Base/Execution.h"
+#include "Core/Base/Types.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/**
+ * Unit normals of points from the triangles around them, weighted by area, or those of a smooth
+ * surface. Triangles are three ids each of points x, y, z; `smooth` has x, y, z for each point, zero
+ * where there is none, or is empty. A smooth normal is taken if it is within 30 degrees of the area
+ * vector of the triangles around the point, or of that of the next triangles around these, which
+ * decide where the first are slivers. `normals`, x, y, z of each point, is written; zero at points
+ * without area around them. The result does not depend on the number of threads.
+ */
+template <typename Coordinate, typename Id>
+void ComputePointNormals(const Coordinate* xyz, std::size_t points, const Id* triangles,
+  std::int64_t count, const std::vector<float>& smooth, const Execution& execution, float* normals);
+
+#define ORTHOSLICES_DECLARE(Coordinate, Id)                                           \
+  extern template void ComputePointNormals(const Coordinate*, std::size_t, const Id*, \
+    std::int64_t, const std::vector<float>&, const Execution&, float*);
+ORTHOSLICES_DECLARE(float, std::int32_t)
+ORTHOSLICES_DECLARE(float, long long)
+ORTHOSLICES_DECLARE(double, std::int32_t)
+ORTHOSLICES_DECLARE(double, long long)
+#undef ORTHOSLICES_DECLARE
+}
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Crossings/SnipEdges.h"
+
+#include "Support/Stages.h"
+
+#include <gtest/gtest.h>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+/// The square of Octahedron() in three slices, but that of z has another form.
+struct Snipped
+{
+  explicit Snipped(const std::string& zSlice)
+  {
+    this->Set = ParseContours("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1; z=0:" + zSlice);
+    this->Grid = BuildSpatialGrid(this->Set, Stages::Tolerance);
+    this->Crossings = RegisterCrossings(this->Set, this->Grid, Execution(), this->Isolated);
+    this->Before = this->Crossings.Count();
+    this->Edges = FileOnEdges(this->Crossings);
+    this->SnippedEdges =
+      SnipEdges({ this->Grid, this->Crossings, this->Edges, this->Isolated }, 0, this->Repairs);
+  }
+
+  Index Removed() const
+  {
+    Index removed = 0;
+    for (Index c = 0; c < this->Crossings.Count(); ++c)
+    {
+      removed += this->Crossings.IsRemoved(c) ? 1 : 0;
+    }
+    return removed;
+  }
+
+  Contours Set;
+  SpatialGrid Grid;
+  std::vector<IsolatedLoop> Isolated;
+  GridCrossings Crossings;
+  EdgeRegister Edges;
+  std::vector<Repair> Repairs;
+  Index Before, SnippedEdges;
+};
+}
+
+//----------------------------------------------------------------------------
+TEST(SnipEdges, LeavesSlicesThatAgree)
+{
+  const Snipped data(" -1,-1 1,-1 1,1 -1,1");
+  EXPECT_EQ(data.SnippedEdges, 0);
+  EXPECT_EQ(data.Removed(), 0);
+  EXPECT_TRUE(data.Repairs.empty());
+}
+
+//----------------------------------------------------------------------------
+/// A notch across the x-axis, between x = 0.4667 and 0.5333, which the y-slice does not have.
+TEST(SnipEdges, TakesOutADentThatOneSliceHasAlone)
+{
+  const Snipped data(" -1,-1 0.4,-1 0.5,0.5 0.6,-1 1,-1 1,1 -1,1");
+  EXPECT_EQ(data.SnippedEdges, 1);
+  EXPECT_EQ(data.Removed(), 2);
+  ASSERT_EQ(data.Repairs.size(), 1u);
+  EXPECT_EQ(data.Repairs[0].Kind, RepairKind::CrossingsSnipped);
+  EXPECT_EQ(data.Repairs[0].Axis, 2);
+  EXPECT_NEAR(data.Repairs[0].Where[0], 0.5, 1e-12);
+  EXPECT_NEAR(data.Repairs[0].Size, 0.2 / 3.0, 1e-12);
+  // The tip of the dent, of one vertex, is left over; the two arcs before and after it are one now.
+  EXPECT_TRUE(data.Isolated.empty());
+  Index length = 0;
+  for (Index c = 0; c < data.Crossings.Count(); ++c)
+  {
+    if (!data.Crossings.IsRemoved(c) && data.Crossings.RunContour[c] == 2)
+    {
+      ++length;
+      EXPECT_EQ(data.Crossings.Previous[data.Crossings.Next[c]], c);
+    }
+  }
+  EXPECT_EQ(length, 4);
+}
+
+//----------------------------------------------------------------------------
+/// The part that is cut off has three vertices: it is listed, to become a contour of its own.
+TEST(SnipEdges, ListsAPartThatClosesInItself)
+{
+  const Snipped data(" -1,-1 0.4,-1 0.4,0.5 0.5,0.6 0.6,0.5 0.6,-1 1,-1 1,1 -1,1");
+  EXPECT_EQ(data.SnippedEdges, 1);
+  ASSERT_EQ(data.Isolated.size(), 1u);
+  Index vertices = 0;
+  for (Index run = data.Isolated[0].FirstRun; run != GridCrossings::None;
+       run = data.Crossings.RunNext[run])
+  {
+    vertices += data.Crossings.RunCount[run];
+  }
+  EXPECT_EQ(vertices, 3);
+}

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   what holds after every stage, and what the order of the stages is
+ */
+
+#include "Core/CheckInvariants.h"
+#include "Core/Reconstruct.h"
+#include "Support/RandomInput.h"
+#include "Support/Stages.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+void ExpectInvariants(const Input& input)
+{
+  SCOPED_TRACE(input.Name);
+  Reconstruct(PieceSets(input.Sets), input.Settings, Execution(),
+    [](Stage stage, const StageTables& tables, const Reconstruction& result)
+    { ASSERT_EQ(CheckInvariants(stage, tables, result), ""); });
+}
+}
+
+//----------------------------------------------------------------------------
+TEST(Stages, ComeInTheOrderOfTheirList)
+{
+  Options options;
+  options.ContourTolerance = 0.01;
+  int last = -1;
+  std::set<std::string> names;
+  Reconstruct(ParsePieces(Cube(3) + "z=1: 1.2,1.2 1.5,1.2 1.5,1.5"), options, Execution(),
+    [&](Stage stage, const StageTables&, const Reconstruction&)
+    {
+      EXPECT_GT(static_cast<int>(stage), last);
+      last = static_cast<int>(stage);
+      names.insert(NameOf(stage));
+    });
+  EXPECT_EQ(last, static_cast<int>(Stage::LayOutTriangles));
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(last) + 1);
+  EXPECT_EQ(names.count(""), 0u);
+}
+
+//----------------------------------------------------------------------------
+TEST(Stages, StopWhenTheCallerSaysSo)
+{
+  for (const double until : { 0.1, 0.3, 0.45, 0.6, 0.68, 0.75 })
+  {
+    Execution execution;
+    double progress = 0.0;
+    execution.Continue = [&](double now)
+    {
+      progress = now;
+      return now < until;
+    };
+    const Reconstruction result = Reconstruct(ParsePieces(Cube()), Options(), execution);
+    EXPECT_TRUE(result.Stopped);
+    EXPECT_GE(progress, until);
+    EXPECT_LT(progress, until + 0.16);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(Invariants, HoldForConsistentInput)
+{
+  for (std::uint64_t seed = 0; seed < 40; ++seed)
+  {
+    ExpectInvariants(RandomConsistentInput(seed));
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(Invariants, HoldForContradictoryInput)
+{
+  for (std::uint64_t seed = 0; seed < 60; ++seed)
+  {
+    ExpectInvariants(RandomContradictoryInput(seed));
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(Invariants, HoldForSparseInput)
+{
+  for (std::uint64_t seed = 0; seed < 60; ++seed)
+  {
+    ExpectInvariants(RandomSparseInput(seed));
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(Invariants, SayWhichStageBrokeThem)
+{
+  const Stages stages{ Cube() };
+  Reconstruction result;
+  result.Grid = stages.Grid;
+  result.Crossings = stages.Crossings;
+  result.Nodes = stages.Nodes;
+  std::swap(result.Nodes.First[0], result.Nodes.First[1]);
+  const std::string wrong = CheckInvariants(Stage::PairNodePoints, StageTables(), result);
+  EXPECT_EQ(wrong.find("After PairNodePoints: "), 0u) << wrong;
+}
