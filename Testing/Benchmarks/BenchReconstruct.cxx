@@ -4,7 +4,7 @@
  * Time and memory of vtkOrthogonalSliceReconstruction against the number of contour points.
  *
  *   BenchReconstruct [--points N ...] [--planes N] [--threads N] [--repeat N] [--float]
- *     [--patches smooth|fan|coons|all] [--edge-length L]
+ *     [--patches smooth|fan|coons|all] [--edge-length L] [--stages]
  *
  * Without --planes their number grows with the square root of the number of points, so that there
  * is one crossing with the lattice for every four points or so, as in ordinary data. The object is
@@ -12,10 +12,14 @@
  * vertices as give the wanted number of points in all. Every size runs in a process of its own, so
  * that peak memory is that size's. Seconds are the least of the repetitions, from vtkPolyData to
  * vtkPolyData. Memory is the growth of the process's peak over the time before the inputs were
- * made.
+ * made. With --stages a list follows of what each stage of the core takes in one more run.
  */
 
 #include "vtkOrthogonalSliceReconstruction.h"
+
+#include "Bridge/ExecuteWithVtk.h"
+#include "Bridge/ReadPieces.h"
+#include "Core/Reconstruct.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
@@ -30,6 +34,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -46,6 +51,7 @@ struct Arguments
   bool Float = false;
   std::vector<std::string> Patches{ "smooth" };
   double EdgeLength = 0.25;
+  bool Stages = false;
 };
 
 struct Circle
@@ -134,6 +140,40 @@ double PeakMegabytes()
   return kilobytes / 1024.0;
 }
 
+/// Prints how long each stage takes, all its runs together, in the order of the stages.
+void PrintStages(vtkOrthogonalSliceReconstruction* filter, bool doublePrecision)
+{
+  std::array<orthoslices::Pieces, 3> pieces;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    pieces[axis] = orthoslices::ReadPieces(
+      vtkPolyData::SafeDownCast(filter->GetInputDataObject(axis, 0)), axis, doublePrecision);
+  }
+  orthoslices::Options options;
+  options.SinglePrecision = !doublePrecision;
+  options.Patching.Method = filter->GetPatchType() == vtkOrthogonalSliceReconstruction::FAN
+    ? orthoslices::PatchMethod::Fan
+    : filter->GetPatchType() == vtkOrthogonalSliceReconstruction::COONS
+    ? orthoslices::PatchMethod::Coons
+    : orthoslices::PatchMethod::Smooth;
+  options.Patching.EdgeLength = filter->GetEdgeLength();
+  std::map<orthoslices::Stage, double> seconds;
+  auto last = std::chrono::steady_clock::now();
+  const auto observe = [&](orthoslices::Stage stage, const orthoslices::StageTables&,
+                         const orthoslices::Reconstruction&)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    seconds[stage] += std::chrono::duration<double>(now - last).count();
+    last = now;
+  };
+  orthoslices::Reconstruct(
+    std::move(pieces), options, orthoslices::ExecuteWithVtk(filter), observe);
+  for (const auto& [stage, duration] : seconds)
+  {
+    std::printf("  %-24s %10.4f\n", orthoslices::NameOf(stage), duration);
+  }
+}
+
 void RunSize(const Arguments& arguments, double total, const std::string& patches)
 {
   const double before = PeakMegabytes();
@@ -169,6 +209,10 @@ void RunSize(const Arguments& arguments, double total, const std::string& patche
     points, CountPlanes(arguments, total), static_cast<long long>(surface->GetNumberOfCells()),
     seconds, points / seconds * 1e-6, input, peak, peak / input,
     static_cast<long long>(surface->GetFieldData()->GetArray("NumberOfComponents")->GetTuple1(0)));
+  if (arguments.Stages)
+  {
+    PrintStages(filter, !arguments.Float);
+  }
   std::fflush(stdout);
 }
 
@@ -202,6 +246,10 @@ Arguments Parse(int argc, char* argv[])
     {
       arguments.Float = true;
     }
+    else if (std::strcmp(argv[i], "--stages") == 0)
+    {
+      arguments.Stages = true;
+    }
     else if (std::strcmp(argv[i], "--patches") == 0 && value)
     {
       const std::string name = argv[++i];
@@ -216,7 +264,7 @@ Arguments Parse(int argc, char* argv[])
     {
       std::fprintf(stderr,
         "usage: %s [--points N ...] [--planes N] [--threads N] [--repeat N] [--float]\n"
-        "  [--patches smooth|fan|coons|all] [--edge-length L]\n",
+        "  [--patches smooth|fan|coons|all] [--edge-length L] [--stages]\n",
         argv[0]);
       std::exit(2);
     }
