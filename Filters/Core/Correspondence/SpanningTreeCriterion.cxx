@@ -12,10 +12,14 @@ namespace orthoslices
 {
 namespace
 {
+/// Edges of the tree are left out that cost more than so many times the median edge. Costs are
+/// squares of distances: three times the median distance. It is this project's addition to
+/// Skinner's criterion, whose tree joins all contours, so that it needs an end.
 constexpr double MaxCostOfMedian = 9.0;
 
 double Square(double x) { return x * x; }
 
+/// The cost of joining two contours by their ellipses, in squared world units (Skinner).
 double SkinnerCost(const ContourEllipse& i, const ContourEllipse& j)
 {
   return Square(i.Center[0] - j.Center[0]) + Square(i.Center[1] - j.Center[1]) +
