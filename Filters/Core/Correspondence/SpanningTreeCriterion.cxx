@@ -12,9 +12,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Edges of the tree are left out that cost more than so many times the median edge. Costs are
-/// squares of distances: three times the median distance. It is this project's addition to
-/// Skinner's criterion, whose tree joins all contours, so that it needs an end.
+/// Edges of the tree that cost more than so many times the median edge are out of all proportion:
+/// costs are squared distances, so that these are three times as long (Zahn; see the header).
 constexpr double MaxCostOfMedian = 9.0;
 
 double Square(double x) { return x * x; }
