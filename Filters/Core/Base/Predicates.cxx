@@ -64,7 +64,9 @@ int CertainSide(const Point3& a, const Point3& b, const Point3& c, const Point3&
   const double permanent = std::abs(ad[2]) * (std::abs(p1) + std::abs(p2)) +
     std::abs(bd[2]) * (std::abs(p3) + std::abs(p4)) +
     std::abs(cd[2]) * (std::abs(p5) + std::abs(p6));
-  const double bound = 7.7715611723761027e-16 * permanent;
+  // Shewchuk's o3derrboundA = (7 + 56 e) e with e = 2^-53.
+  constexpr double errorBound = 7.7715611723761027e-16;
+  const double bound = errorBound * permanent;
   // The determinant is positive when a, b, c run clockwise seen from d.
   return det > bound ? -1 : det < -bound ? 1 : 0;
 }

@@ -20,12 +20,16 @@ namespace orthoslices
 /// The sign of SideOf in exact arithmetic, for the rare case that rounding could change it.
 int ExactSideOf(const Point2& p, const Point2& q, const Point2& r);
 
+/// Greatest error of the determinant in SideOf, as a share of the sum of its terms' sizes: Shewchuk's
+/// ccwerrboundA = (3 + 16 e) e with e = 2^-53.
+constexpr double SideOfErrorBound = 3.3306690738754716e-16;
+
 /// Side of r against the line from p to q: 1 left, -1 right, 0 on the line. Exact.
 inline int SideOf(const Point2& p, const Point2& q, const Point2& r)
 {
   const double left = (p[0] - r[0]) * (q[1] - r[1]);
   const double right = (p[1] - r[1]) * (q[0] - r[0]);
-  const double bound = 3.3306690738754716e-16 * (std::abs(left) + std::abs(right));
+  const double bound = SideOfErrorBound * (std::abs(left) + std::abs(right));
   const double det = left - right;
   return det > bound ? 1 : det < -bound ? -1 : ExactSideOf(p, q, r);
 }
@@ -40,11 +44,13 @@ bool IsInside(const std::vector<Point2>& polygon, const Point2& point);
 /// certain.
 int CertainSide(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
-/// Whether two closed triangles certainly have no point in common. Whether their boxes have is for
-/// the caller to find out before, at less cost.
+/// Whether two closed triangles certainly have no point in common. Callers compare the triangles'
+/// boxes first, which costs less.
 bool CertainlyApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t);
 
-/// The same for two triangles that have the given corners of s in common, beyond these corners.
+/// Whether two triangles with common corners certainly have no point in common but those, or, with
+/// two of them, the side between. The corners are listed by their places in s and, in the same
+/// order, in t. False unless one or two are in common.
 bool CertainlyApartBeyond(const std::vector<int>& common, const std::array<Point3, 3>& s,
   const std::vector<int>& commonOfOther, const std::array<Point3, 3>& t);
 

@@ -17,6 +17,12 @@ namespace orthoslices
 class QuadraticFit
 {
 public:
+  /// What is added to the diagonal of the normal equations (ridge regression). Where little data
+  /// leave second derivatives open, the flattest solution is taken: curvatures cost much more than
+  /// height and slopes, and both much less than data, if coordinates and weights are of order 1.
+  static constexpr double PlaneRidge = 1e-12;
+  static constexpr double CurvatureRidge = 1e-6;
+
   void AddPoint(double x, double y, double z, double weight)
   {
     const double wx = weight * x, wy = weight * y;
@@ -55,8 +61,7 @@ public:
       {
         this->Matrix[i][j] += this->Moments[product[i][j]];
       }
-      // Little data leave second derivatives open: the flattest solution is taken.
-      this->Matrix[i][i] += i < 3 ? 1e-12 : 1e-6;
+      this->Matrix[i][i] += i < 3 ? PlaneRidge : CurvatureRidge;
     }
     if (!Factorize(this->Matrix))
     {

@@ -14,6 +14,8 @@ namespace orthoslices
 {
 namespace
 {
+/// Places on each contour between which distances are measured. A smooth contour with so many lies
+/// within half a percent of its radius from the polygon through them.
 constexpr int SampleCount = 32;
 using Samples = std::array<Point2, SampleCount>;
 

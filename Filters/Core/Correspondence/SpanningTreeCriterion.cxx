@@ -12,10 +12,13 @@ namespace orthoslices
 {
 namespace
 {
+/// Edges of the tree that cost more than so many times the median edge are out of all proportion:
+/// costs are squared distances, so that these are three times as long (Zahn; see the header).
 constexpr double MaxCostOfMedian = 9.0;
 
 double Square(double x) { return x * x; }
 
+/// The cost of joining two contours by their ellipses, in squared world units (Skinner).
 double SkinnerCost(const ContourEllipse& i, const ContourEllipse& j)
 {
   return Square(i.Center[0] - j.Center[0]) + Square(i.Center[1] - j.Center[1]) +

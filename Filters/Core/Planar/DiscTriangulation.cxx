@@ -13,8 +13,34 @@ namespace orthoslices
 namespace
 {
 /// Triangles whose circumradius is more than so many times their shortest side are badly shaped:
-/// below 24 degrees.
+/// 1 / (2 sin 24 degrees), an angle below 24 degrees. Refinement is proven to come to an end up to
+/// 20.7 degrees (Ruppert), and comes to one well beyond in practice.
 constexpr double Quality = 1.23;
+
+/// Square of the largest circumradius, in those of the size asked for: between 1/3, an equilateral
+/// triangle with sides of that size, and 1/2, a right-angled one with legs of that size.
+constexpr double MaxSquaredRadius = 0.45;
+
+/// The farthest that a new point is from a bad triangle's shortest side, in lengths of that: the
+/// angle at the new point is then 39 degrees, so that one more bad triangle does not follow.
+constexpr double MaxHeight = 1.4;
+
+/// Share of the way to the centre of the triangle by which new points are moved. The circumcentre
+/// of a right-angled triangle lies on its long side, where it would be in no triangle.
+constexpr double Inwards = 1e-3;
+
+/// Cosine of the angle, 120 degrees, from which on a side of the border that is seen from a new
+/// point is too near. Ruppert's 90 degrees go with sides that may be split; these may not.
+constexpr double EncroachingCosine = -0.5;
+
+/// Sides whose opposite angles together exceed 180 degrees by no more than rounding may tell stay:
+/// the sine of the sum against the sum of its two terms' sizes. Coordinates are differences of ones
+/// far from zero, so that this is much more than the unit roundoff.
+constexpr double CocircularTolerance = 1e-9;
+
+/// Most flips in a row, for each triangle and in any case. Flips come to an end; these bounds are
+/// for rounding that would let sides turn round and round.
+constexpr std::size_t MaxFlipsPerTriangle = 16, MinFlips = 64;
 
 /// Whether two segments on one line have a point in common.
 bool Overlap(const Point2& p, const Point2& q, const Point2& r, const Point2& s)
@@ -133,7 +159,7 @@ bool DiscTriangulation::IsDelaunay(const TriangleSide& side) const
   const double cosC = cax * cbx + cay * cby, sinC = cax * cby - cay * cbx;
   const double cosD = dbx * dax + dby * day, sinD = dbx * day - dby * dax;
   const double left = sinC * cosD, right = cosC * sinD;
-  if (left + right >= -1e-9 * (std::abs(left) + std::abs(right)))
+  if (left + right >= -CocircularTolerance * (std::abs(left) + std::abs(right)))
   {
     return true;
   }
@@ -147,7 +173,7 @@ void DiscTriangulation::Flip(const TriangleSide& side)
   const Index t = side.Triangle;
   const Index u = this->Triangles.NeighborOf(side);
   this->Triangles.Flip(side);
-  // Both begin with the new side's end on their own side: new points are computed from corner 0.
+  // In the order c, a, d: the first corner is the origin from which new points are computed.
   LinkedTriangle& one = this->Triangles[t];
   one = { { one.Corners[2], one.Corners[0], one.Corners[1] },
     { one.Neighbors[2], one.Neighbors[0], one.Neighbors[1] } };
@@ -158,7 +184,7 @@ void DiscTriangulation::Flip(const TriangleSide& side)
 
 void DiscTriangulation::Legalize()
 {
-  std::size_t guard = 64 + 16 * this->Triangles.size();
+  std::size_t guard = MinFlips + MaxFlipsPerTriangle * this->Triangles.size();
   while (!this->Doubtful.empty() && guard-- > 0)
   {
     const TriangleSide side = this->Doubtful.back();
@@ -210,7 +236,6 @@ Index DiscTriangulation::Locate(Index from, const Point2& p) const
 /// Whether a point inside a triangle sees a side of the border near by at more than 120 degrees.
 bool DiscTriangulation::Encroaches(Index t, const Point2& p) const
 {
-  constexpr double cosine = -0.5;
   const auto tooNear = [&](const LinkedTriangle& triangle)
   {
     for (int i = 0; i < 3; ++i)
@@ -222,7 +247,7 @@ bool DiscTriangulation::Encroaches(Index t, const Point2& p) const
       const Point2& a = this->Points[triangle.Corners[i]];
       const Point2& b = this->Points[triangle.Corners[(i + 1) % 3]];
       const double dot = Dot(a - p, b - p);
-      if (dot < cosine * std::sqrt(SquaredDistance(a, p) * SquaredDistance(b, p)))
+      if (dot < EncroachingCosine * std::sqrt(SquaredDistance(a, p) * SquaredDistance(b, p)))
       {
         return true;
       }
@@ -262,7 +287,7 @@ bool DiscTriangulation::FindNewPoint(
   const double radius2 = ux * ux + uy * uy;
   const double side = std::min({ ab, bc, ca });
   const double shortest = std::max(side, minimum * minimum);
-  if (!(radius2 > Quality * Quality * shortest || radius2 > 0.45 * size * size))
+  if (!(radius2 > Quality * Quality * shortest || radius2 > MaxSquaredRadius * size * size))
   {
     return false;
   }
@@ -272,16 +297,14 @@ bool DiscTriangulation::FindNewPoint(
   const Point2& to = side == ab ? b : side == bc ? c : a;
   const Point2 middle{ 0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1]) };
   const double away = std::sqrt(SquaredDistance(middle, p));
-  const double maximum = 1.4 * std::sqrt(shortest);
+  const double maximum = MaxHeight * std::sqrt(shortest);
   if (away > maximum && radius2 > Quality * Quality * shortest)
   {
     const double share = maximum / away;
     p = Between(middle, p, share);
   }
-  // Off the middle of a right angle's long side.
-  constexpr double inwards = 1e-3;
-  p[0] += inwards * ((a[0] + b[0] + c[0]) / 3.0 - p[0]);
-  p[1] += inwards * ((a[1] + b[1] + c[1]) / 3.0 - p[1]);
+  p[0] += Inwards * ((a[0] + b[0] + c[0]) / 3.0 - p[0]);
+  p[1] += Inwards * ((a[1] + b[1] + c[1]) / 3.0 - p[1]);
   return std::isfinite(p[0]) && std::isfinite(p[1]);
 }
 

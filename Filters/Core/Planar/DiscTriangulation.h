@@ -28,8 +28,9 @@ public:
   bool StartWithEars(const std::vector<Point2>& border);
   /// Changes diagonals until each is Delaunay.
   void MakeDelaunay();
-  /// Adds points where triangles are badly shaped or have sides longer than `size`. Sides shorter
-  /// than `least` count as long as that: no points crowd around a tiny side of the border.
+  /// Adds points where triangles are badly shaped or larger than an equilateral one with sides of
+  /// about `size`, until there are maxPoints with those of the border. Sides shorter than `minimum`
+  /// count as long as that: no points crowd around a tiny side of the border.
   void Refine(double size, std::size_t maxPoints, double minimum = 0.0);
   /// Adds a point in the middle of the sides for which the predicate holds.
   template <typename Predicate>

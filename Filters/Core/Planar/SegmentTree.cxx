@@ -8,6 +8,8 @@ namespace orthoslices
 {
 namespace
 {
+/// Consecutive segments in one box of the lowest level. Boxes of fewer segments are too many,
+/// those of more are too wide; it changes the time only.
 constexpr Index SegmentsInRun = 8;
 
 template <typename Box>

@@ -9,6 +9,8 @@ namespace orthoslices
 {
 double SpatialGrid::Margin(int axis, Index slab) const
 {
+  // A millionth of the slab is far below the detail of any contour and far above rounding: 16 steps
+  // of the rounded coordinates, if these are coarse. An eighth of the slab leaves room inside.
   constexpr double share = 1e-6;
   const auto& planes = this->Planes[axis];
   const bool bounded = slab > 0 && slab < this->Count(axis);

@@ -20,7 +20,7 @@ TEST(Vectors, InThePlane)
   EXPECT_EQ(Cross(a, b), 11.0); // b points to the left of a
   EXPECT_EQ(Cross(b, a), -11.0);
   EXPECT_EQ(Length(a), 5.0);
-  EXPECT_EQ(Length(1e200 * a), 5e200);
+  EXPECT_DOUBLE_EQ(Length(1e200 * a), 5e200);
   EXPECT_EQ(SquaredDistance(a, b), 34.0);
   EXPECT_EQ(Distance(a, a + Point2{ 6, -8 }), 10.0);
   EXPECT_EQ(Between(a, b, 0.0), a);
