@@ -31,7 +31,7 @@ constexpr double WidthThatMatters = 1.0;
  * geometric mean of those axes that have two planes or more.
  *
  * The numbers were chosen so that the shapes in Data, sliced in three families, give no doubt if
- * their topology comes out right (12 sets), and give one if it comes out wrong (4 sets).
+ * their topology comes out right (10 sets of cuts through meshes), and give one if it comes out wrong (4 sets).
  */
 std::vector<CycleJoin> FindDoubtfulJoins(
   const CycleGeometry& geometry, const std::vector<CycleJoin>& joins);
