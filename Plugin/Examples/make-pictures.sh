@@ -4,8 +4,8 @@
 #
 # bash Plugin/Examples/make-pictures.sh [folder [build]]
 # Makes the pictures of the pages again (default: Data/pictures) with the plugin and the programs
-# CompareMethods and CompareConvergence of a build folder (default: build/paraview, which
-# Testing/demo.sh and Testing/test.sh make):
+# CompareMethods and CompareConvergence of a build folder with ParaView's VTK (default:
+# build/demo/paraview, which Testing/demo.sh makes):
 #   reconstruction.png  the contours of a heart, and the surface from them
 #   comparison.png      the same slices given to other methods
 #   disagreement.png    one slice was moved: where, how much, and which one it is
@@ -16,7 +16,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 pictures=${1:-Data/pictures}
-build=${2:-build/paraview}
+build=${2:-build/demo/paraview}
+ninja -C "$build" OrthogonalSlices CompareMethods CompareConvergence
 plugin=$(find "$build/lib" -name OrthogonalSlices.so | head -n 1)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT

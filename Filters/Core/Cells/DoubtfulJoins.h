@@ -30,8 +30,9 @@ constexpr double WidthThatMatters = 1.0;
  * WidthThatMatters wide, by the diagonal of their bounding boxes. The mean plane spacing is the
  * geometric mean of those axes that have two planes or more.
  *
- * The numbers were chosen so that the shapes in Data, sliced in three families, give no doubt if
- * their topology comes out right (10 sets of cuts through meshes), and give one if it comes out wrong (4 sets).
+ * The numbers were chosen so that of the shapes in Data that were cut from meshes, sliced in three
+ * families, those give no doubt whose topology comes out right (10 sets), and those give one whose
+ * topology comes out wrong (4 sets).
  */
 std::vector<CycleJoin> FindDoubtfulJoins(
   const CycleGeometry& geometry, const std::vector<CycleJoin>& joins);
