@@ -13,8 +13,9 @@ namespace orthoslices
 /// abort. The filter must outlive the execution.
 Execution ExecuteWithVtk(vtkAlgorithm* filter);
 
-/// The same for one loop over few large items, such as planes: it runs in a few batches; between them
-/// the filter reports progress, from the first to the last value, and hears of requests to abort.
+/// An execution of one loop over few large items, such as planes, on vtkSMPTools: it runs in a few
+/// batches; between them the filter reports progress, from the first to the last value, and hears of
+/// requests to abort.
 Execution ExecuteInBatches(vtkAlgorithm* filter, double firstProgress, double lastProgress);
 }
 

@@ -148,6 +148,10 @@ public:
   void Run();
 
 private:
+  GraphTables Tables() const
+  {
+    return { this->Result.Grid, this->Result.Nodes, this->Result.Crossings, this->Result.Graph };
+  }
   void EmbedIsolatedContours();
   void PatchCells();
   void Trace(CellCycles&& cycles);
@@ -173,9 +177,8 @@ private:
 
 void CellPatcher::EmbedIsolatedContours()
 {
-  EmbedIsolated(this->Result.Grid, this->Result.Nodes, this->Execute,
-    this->Settings.MinIsolatedContour * this->Result.Diagonal, this->Result.Crossings,
-    this->Result.Isolated, this->Result.Graph);
+  EmbedIsolated(this->Tables(), this->Settings.MinIsolatedContour * this->Result.Diagonal,
+    this->Execute, this->Result.Isolated);
   this->Finish(Stage::EmbedIsolated);
 }
 
@@ -304,8 +307,9 @@ void CellPatcher::RemoveSmall()
   while (removed > 0)
   {
     this->TakePatches();
-    removed = RemoveSmallComponents(size, this->Result.Crossings, this->Result.Nodes,
-      this->NodeNormals, this->Result.Isolated, this->Result.Graph);
+    removed = RemoveSmallComponents(size,
+      { this->Result.Crossings, this->Result.Nodes, this->NodeNormals, this->Result.Isolated,
+        this->Result.Graph });
     this->Result.SmallComponents += removed;
     if (removed > 0)
     {
@@ -319,9 +323,8 @@ void CellPatcher::RemoveSmall()
 void CellPatcher::DrawArcsApart()
 {
   this->GraphBefore = this->Result.Graph;
-  const std::vector<Repair> repairs =
-    EmbedArcs(this->Result.Grid, this->Result.Nodes, this->Execute, this->Result.Crossings,
-      this->Result.Graph, ArcsOf(this->Result.Graph, this->Result.Cycles, this->Unresolved));
+  const std::vector<Repair> repairs = EmbedArcs(this->Tables(), this->Execute,
+    ArcsOf(this->Result.Graph, this->Result.Cycles, this->Unresolved));
   this->Result.Repairs.insert(this->Result.Repairs.end(), repairs.begin(), repairs.end());
   this->Finish(Stage::EmbedArcs);
 }

@@ -226,8 +226,8 @@ bool StageRunner::BuildGraph()
   Reconstruction& result = this->Result;
   Contours& contours = this->Tables.Contours;
   std::vector<double>& normals = this->Tables.NodeNormals;
-  result.Graph = BuildNodeGraph(
-    contours, result.Grid, result.Crossings, result.Nodes, this->Tables.Tolerance, this->Execute);
+  result.Graph = BuildNodeGraph({ contours, result.Grid, result.Crossings, result.Nodes },
+    this->Tables.Tolerance, this->Execute);
   normals =
     ComputeNodeNormals(contours, result.Grid, result.Crossings, result.Nodes, this->Execute);
   result.Isolated = CopyIsolated(this->Tables.IsolatedParts, contours, result.Crossings,
@@ -240,7 +240,8 @@ bool StageRunner::BuildGraph()
   ThinArcs(this->Settings.ContourTolerance * MinMeanSpacing(result.Grid), result.Crossings,
     result.Nodes, this->Execute, result.Graph);
   this->Finish(Stage::ThinArcs);
-  this->Report(EmbedArcs(result.Grid, result.Nodes, this->Execute, result.Crossings, result.Graph));
+  this->Report(
+    EmbedArcs({ result.Grid, result.Nodes, result.Crossings, result.Graph }, this->Execute));
   this->Finish(Stage::EmbedArcs);
   contours = Contours();
   return this->GoOn(0.65);

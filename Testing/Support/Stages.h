@@ -75,7 +75,7 @@ private:
       forced.push_back(arc);
     }
     this->Redrawn =
-      EmbedArcs(this->Grid, this->Nodes, Execution(), this->Crossings, this->Graph, forced);
+      EmbedArcs({ this->Grid, this->Nodes, this->Crossings, this->Graph }, Execution(), forced);
     this->Cycles = TraceCycles(this->Grid, this->Crossings, this->Nodes, this->Graph);
     const SurfaceComponents components = MeasureTopology(this->Geometry(), {});
     this->Graph.Component = components.OfPart;

@@ -18,7 +18,7 @@ namespace orthoslices
 std::string CheckPatchCoversBorders(const CycleGeometry& geometry, const std::vector<Index>& cycles,
   const std::vector<std::array<Index, 3>>& triangles);
 
-/// The same for all patches of a list, which ascend by their first cycle and share none.
+/// Checks all patches of a list by CheckPatchCoversBorders, and that no cycle has two of them.
 std::string CheckPatchMeshes(const CycleGeometry& geometry, const std::vector<PatchMesh>& meshes);
 }
 

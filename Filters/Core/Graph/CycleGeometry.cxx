@@ -4,6 +4,32 @@
 
 namespace orthoslices
 {
+void CycleGeometry::GetBoundary(
+  Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces) const
+{
+  const NodeGraph& graph = this->Graph;
+  const CellCycles& cycles = this->Cycles;
+  points.clear();
+  nodePlaces.clear();
+  for (Index i = cycles.Offsets[cycle]; i < cycles.Offsets[cycle + 1]; ++i)
+  {
+    const HalfArc& half = cycles.Arcs[i];
+    if (!graph.IsLoop(half.Arc))
+    {
+      nodePlaces.push_back(static_cast<Index>(points.size()));
+      points.push_back(StartNode(this->Crossings, this->Nodes, half));
+    }
+    const Index first = graph.FirstPoint(half.Arc);
+    const Index count = graph.PointCount(half.Arc);
+    const std::size_t place = points.size();
+    points.resize(place + count);
+    for (Index p = 0; p < count; ++p)
+    {
+      points[place + p] = half.Above ? first + p : first + count - 1 - p;
+    }
+  }
+}
+
 std::vector<Index> CycleGeometry::GetBorders(const std::vector<Index>& cycles) const
 {
   std::vector<Index> borders, border, places;

@@ -31,12 +31,11 @@ struct CycleGeometry
     return this->IsLoop(cycle) ? this->Graph.Nodes + this->LoopOf(cycle)
                                : StartNode(this->Crossings, this->Nodes, this->FirstArc(cycle));
   }
-  /// See orthoslices::GetBoundary.
-  void GetBoundary(Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces) const
-  {
-    orthoslices::GetBoundary(
-      this->Graph, this->Crossings, this->Nodes, this->Cycles, cycle, points, nodePlaces);
-  }
+  /**
+   * The points of G around a cycle, in its direction, and where the nodes are among them: node i of
+   * the cycle is points[nodePlaces[i]]; a loop has none. Reuses the memory of both vectors.
+   */
+  void GetBoundary(Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces) const;
   /// The borders of several cycles, one after another.
   std::vector<Index> GetBorders(const std::vector<Index>& cycles) const;
 };

@@ -34,6 +34,15 @@ namespace orthoslices
 {
 struct ArcsByFace;
 
+/// G and the tables that it stands on, for stages that change it.
+struct GraphTables
+{
+  const SpatialGrid& Grid;
+  const NodePoints& Nodes;
+  GridCrossings& Crossings;
+  NodeGraph& Graph;
+};
+
 /// An arc that leads to another crossing than before.
 struct ArcJoin
 {

@@ -297,20 +297,19 @@ std::vector<FaceDrawing> ArcEmbedder::Run(
 }
 }
 
-std::vector<Repair> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
-  const Execution& execution, GridCrossings& crossings, NodeGraph& graph,
-  const std::vector<Index>& forced)
+std::vector<Repair> EmbedArcs(
+  const GraphTables& tables, const Execution& execution, const std::vector<Index>& forced)
 {
-  const ArcsByFace faces = GroupArcsByFace(grid, crossings, execution);
-  MoveInsideFaces(grid, faces, execution, graph);
-  const ArcGeometry geometry{ grid, nodes, crossings, graph };
+  const ArcsByFace faces = GroupArcsByFace(tables.Grid, tables.Crossings, execution);
+  MoveInsideFaces(tables.Grid, faces, execution, tables.Graph);
+  const ArcGeometry geometry{ tables.Grid, tables.Nodes, tables.Crossings, tables.Graph };
   const std::vector<FaceDrawing> drawings = ArcEmbedder(geometry, execution).Run(faces, forced);
   std::vector<Repair> repairs;
   for (const FaceDrawing& drawing : drawings)
   {
     repairs.push_back(drawing.What);
   }
-  ReplaceArcs(drawings, crossings, graph);
+  ReplaceArcs(drawings, tables.Crossings, tables.Graph);
   return repairs;
 }
 }

@@ -4,7 +4,7 @@
 #define OrthoSlicesEmbedArcs_h
 
 #include "Core/Base/Execution.h"
-#include "Core/Graph/NodeGraph.h"
+#include "Core/Graph/EditGraph.h"
 
 #include <vector>
 
@@ -25,9 +25,8 @@ namespace orthoslices
  * Returns one repair for each face that was changed, and marks its changed arcs in
  * NodeGraph::Redrawn. If there are any, G has no loops afterwards.
  */
-std::vector<Repair> EmbedArcs(const SpatialGrid& grid, const NodePoints& nodes,
-  const Execution& execution, GridCrossings& crossings, NodeGraph& graph,
-  const std::vector<Index>& forced = {});
+std::vector<Repair> EmbedArcs(
+  const GraphTables& tables, const Execution& execution, const std::vector<Index>& forced = {});
 }
 
 #endif

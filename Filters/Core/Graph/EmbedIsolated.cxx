@@ -271,10 +271,10 @@ std::vector<GraphLoop> LoopEmbedder::Run(double minimum)
 }
 }
 
-void EmbedIsolated(const SpatialGrid& grid, const NodePoints& nodes, const Execution& execution,
-  double minimum, const GridCrossings& crossings, IsolatedContours& isolated, NodeGraph& graph)
+void EmbedIsolated(
+  const GraphTables& tables, double minimum, const Execution& execution, IsolatedContours& isolated)
 {
-  SetLoops(
-    LoopEmbedder({ grid, nodes, crossings, graph }, execution, isolated).Run(minimum), graph);
+  const ArcGeometry geometry{ tables.Grid, tables.Nodes, tables.Crossings, tables.Graph };
+  SetLoops(LoopEmbedder(geometry, execution, isolated).Run(minimum), tables.Graph);
 }
 }

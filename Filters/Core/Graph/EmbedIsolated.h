@@ -4,6 +4,7 @@
 #define OrthoSlicesEmbedIsolated_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Graph/EditGraph.h"
 #include "Core/Graph/IsolatedContours.h"
 
 namespace orthoslices
@@ -13,10 +14,10 @@ namespace orthoslices
  * Vertices on the border of their face move inside by the grid's Margin. Contours that cross
  * themselves or each other are taken apart (see UncrossCurves). One that still touches an arc or a
  * larger loop of its face takes no part in the surface, nor does one whose bounding box has a
- * diagonal of less than `least`. Loops that G had before are replaced. REQUIRES: EmbedArcs has run.
+ * diagonal of less than `minimum` (world units). Loops that G had before are replaced. REQUIRES: EmbedArcs has run.
  */
-void EmbedIsolated(const SpatialGrid& grid, const NodePoints& nodes, const Execution& execution,
-  double minimum, const GridCrossings& crossings, IsolatedContours& isolated, NodeGraph& graph);
+void EmbedIsolated(const GraphTables& tables, double minimum, const Execution& execution,
+  IsolatedContours& isolated);
 }
 
 #endif

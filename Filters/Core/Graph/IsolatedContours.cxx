@@ -11,8 +11,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Of a contour that has lost all of its node points, a part of at least this share of its area
-/// is isolated: no more than a bulge was cut off.
+/// A contour that has lost all of its node points stays if a part of at least this share of its area
+/// is left: no more than a bulge was cut off then.
 constexpr double MinShare = 0.75;
 
 /// The contour in its plane.
@@ -57,7 +57,8 @@ double AreaOf(const Contours& contours, Index contour)
   return std::abs(SignedArea(polygon));
 }
 
-/// Of contours that have lost all of their node points and little else, the rest is not left out.
+/// Contours that have lost all of their node points and little else are not left out: what is left
+/// of them stays.
 void KeepLargestParts(const std::vector<IsolatedLoop>& loops, const Contours& contours,
   const GridCrossings& crossings, IsolatedContours& isolated)
 {

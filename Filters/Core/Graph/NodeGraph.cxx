@@ -35,13 +35,12 @@ struct EndShift
 class GraphBuilder
 {
 public:
-  GraphBuilder(const Contours& contours, const SpatialGrid& grid, const GridCrossings& crossings,
-    const NodePoints& nodes, double tolerance)
-    : Set(contours)
-    , Grid(grid)
-    , Code(grid)
-    , Crossings(crossings)
-    , Nodes(nodes)
+  GraphBuilder(const ArcSource& source, double tolerance)
+    : Set(source.Contours)
+    , Grid(source.Grid)
+    , Code(source.Grid)
+    , Crossings(source.Crossings)
+    , Nodes(source.Nodes)
     , Tolerance(tolerance)
   {
   }
@@ -231,11 +230,9 @@ NodeGraph GraphBuilder::Run(const Execution& execution)
 }
 }
 
-NodeGraph BuildNodeGraph(const Contours& contours, const SpatialGrid& grid,
-  const GridCrossings& crossings, const NodePoints& nodes, double tolerance,
-  const Execution& execution)
+NodeGraph BuildNodeGraph(const ArcSource& source, double tolerance, const Execution& execution)
 {
-  return GraphBuilder(contours, grid, crossings, nodes, tolerance).Run(execution);
+  return GraphBuilder(source, tolerance).Run(execution);
 }
 
 DisjointSets ConnectArcs(

@@ -43,15 +43,22 @@ struct NodeGraph
   }
 };
 
+/// What G is made from.
+struct ArcSource
+{
+  const orthoslices::Contours& Contours;
+  const SpatialGrid& Grid;
+  const GridCrossings& Crossings;
+  const NodePoints& Nodes;
+};
+
 /**
  * Builds G. Contour vertices at the place of their own crossing are the node point and are not
  * repeated. Where the two contours of a node point disagree by more than `tolerance`, the
  * vertices of the arcs beside it move with it within their planes, less and less along the arc;
  * elsewhere they stay as they are, bit for bit.
  */
-NodeGraph BuildNodeGraph(const Contours& contours, const SpatialGrid& grid,
-  const GridCrossings& crossings, const NodePoints& nodes, double tolerance,
-  const Execution& execution);
+NodeGraph BuildNodeGraph(const ArcSource& source, double tolerance, const Execution& execution);
 
 /// The connected parts of G: nodes joined by arcs, then each loop by itself.
 DisjointSets ConnectArcs(

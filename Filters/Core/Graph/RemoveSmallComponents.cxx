@@ -34,12 +34,12 @@ std::vector<Box3> BoxesOf(const NodePoints& nodes, const NodeGraph& graph)
 }
 }
 
-Index RemoveSmallComponents(double size, GridCrossings& crossings, NodePoints& nodes,
-  std::vector<double>& nodeNormals, IsolatedContours& isolated, NodeGraph& graph)
+Index RemoveSmallComponents(double size, const ComponentTables& tables)
 {
+  const NodeGraph& graph = tables.Graph;
   std::vector<std::uint8_t> isSmall; // components
   Index count = 0;
-  for (const Box3& box : BoxesOf(nodes, graph))
+  for (const Box3& box : BoxesOf(tables.Nodes, graph))
   {
     isSmall.push_back(box.Diagonal() < size ? 1 : 0);
     count += isSmall.back();
@@ -48,12 +48,12 @@ Index RemoveSmallComponents(double size, GridCrossings& crossings, NodePoints& n
   {
     return 0;
   }
-  for (Index contour = 0; contour < isolated.Count(); ++contour)
+  for (Index contour = 0; contour < tables.Isolated.Count(); ++contour)
   {
-    const Index loop = isolated.Loop[contour];
+    const Index loop = tables.Isolated.Loop[contour];
     if (loop != IsolatedContours::None)
     {
-      isolated.LeftOut[contour] |= isSmall[graph.Component[graph.Nodes + loop]];
+      tables.Isolated.LeftOut[contour] |= isSmall[graph.Component[graph.Nodes + loop]];
     }
   }
   std::vector<std::uint8_t> isRemoved(graph.Nodes);
@@ -61,7 +61,7 @@ Index RemoveSmallComponents(double size, GridCrossings& crossings, NodePoints& n
   {
     isRemoved[node] = isSmall[graph.Component[node]];
   }
-  RemoveNodes(isRemoved, crossings, nodes, nodeNormals, graph);
+  RemoveNodes(isRemoved, tables.Crossings, tables.Nodes, tables.NodeNormals, tables.Graph);
   return count;
 }
 }

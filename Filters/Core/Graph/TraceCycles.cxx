@@ -86,30 +86,6 @@ CellCycles TraceCycles(const SpatialGrid& grid, const GridCrossings& crossings,
   return cycles;
 }
 
-void GetBoundary(const NodeGraph& graph, const GridCrossings& crossings, const NodePoints& nodes,
-  const CellCycles& cycles, Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces)
-{
-  points.clear();
-  nodePlaces.clear();
-  for (Index i = cycles.Offsets[cycle]; i < cycles.Offsets[cycle + 1]; ++i)
-  {
-    const HalfArc& half = cycles.Arcs[i];
-    if (!graph.IsLoop(half.Arc))
-    {
-      nodePlaces.push_back(static_cast<Index>(points.size()));
-      points.push_back(StartNode(crossings, nodes, half));
-    }
-    const Index first = graph.FirstPoint(half.Arc);
-    const Index count = graph.PointCount(half.Arc);
-    const std::size_t place = points.size();
-    points.resize(place + count);
-    for (Index p = 0; p < count; ++p)
-    {
-      points[place + p] = half.Above ? first + p : first + count - 1 - p;
-    }
-  }
-}
-
 CellGroups GroupByCell(
   const SpatialGrid& grid, const CellCycles& cycles, const Execution& execution)
 {

@@ -51,14 +51,6 @@ inline Index StartNode(const GridCrossings& crossings, const NodePoints& nodes, 
   return nodes.NodeOf[half.Above ? half.Arc : crossings.Next[half.Arc]];
 }
 
-/**
- * The points of G around a cycle, in its direction, and where the nodes are among them: node i of
- * the cycle is points[nodePlaces[i]]; a loop has none. Reuses the memory of both vectors.
- */
-void GetBoundary(const NodeGraph& graph, const GridCrossings& crossings, const NodePoints& nodes,
-  const CellCycles& cycles, Index cycle, std::vector<Index>& points,
-  std::vector<Index>& nodePlaces);
-
 /// Cycles ordered by cell, and the range of each cell that has two or more of them.
 struct CellGroups
 {

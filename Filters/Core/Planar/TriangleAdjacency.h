@@ -71,7 +71,7 @@ public:
   {
     return (*this)[side.Triangle].Neighbors[side.Side];
   }
-  /// The same side as one of the neighbour. REQUIRES: it is not at the border.
+  /// The side as one of the triangle across it. REQUIRES: it is not at the border.
   TriangleSide BackOf(const TriangleSide& side) const
   {
     const Index other = this->NeighborOf(side);

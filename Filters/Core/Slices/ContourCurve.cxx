@@ -221,11 +221,13 @@ ContourCurve::Fit ContourCurve::FitAt(Index i, double window) const
 
 void MeasuredCurve::Set(std::vector<Point2>&& points, double spacing, double cornerAngle)
 {
-  // Of the spacing.
+  // Lengths of the windows along the curve are parts of the spacing of the planes: within them, a
+  // curve between two slices hardly bends, and they have enough points for a fit.
   constexpr double noiseWindow = 0.3;
   constexpr double minWindow = 0.15;
   constexpr double maxWindow = 1.5;
-  // Cuts through meshes have ten times that, curves between exact points less.
+  // Noise, as a part of the spacing, and length of segments, as a part of it, up to which a curve
+  // counts as drawn through exact points; cuts through meshes have ten times that noise.
   constexpr double maxExactNoise = 1e-4;
   constexpr double maxExactStep = 0.25;
   this->Curve.Set(std::move(points));
@@ -233,7 +235,8 @@ void MeasuredCurve::Set(std::vector<Point2>&& points, double spacing, double cor
   this->Curve.FindCorners(spacing, 0.0, cornerAngle);
   if (this->Curve.HasCorners())
   {
-    // Of a polygon with few vertices the corners look like noise. They explain it, or noise them.
+    // The corners of a polygon with few vertices look like noise, and noise looks like corners: they
+    // are corners if little noise is left between them.
     constexpr double explained = 0.1;
     const double betweenCorners = this->Curve.FindNoise(noiseWindow * spacing);
     if (betweenCorners <= explained * this->Noise)

@@ -29,7 +29,8 @@ struct SpatialGrid
   bool SinglePrecision = false;
   /// Distance of neighbouring numbers of the precision at the largest coordinate of each axis.
   Point3 Step{ 0.0, 0.0, 0.0 };
-  /// Of all contours along each axis; that of the longest axis where it is zero.
+  /// Length of the box around all contours along each axis; where it is zero, the greatest of the
+  /// three.
   Point3 Extent{ 0.0, 0.0, 0.0 };
 
   Index Count(int axis) const { return static_cast<Index>(this->Planes[axis].size()); }
@@ -116,7 +117,8 @@ struct SpatialGrid
 /// The least mean spacing of the planes of an axis, of those that have two or more of them.
 double MinMeanSpacing(const SpatialGrid& grid);
 
-/// The same of the two axes that lie in the slices across `axis`; that of all if neither has two.
+/// The least mean spacing of the planes of the two axes that lie in the slices across `axis`; if
+/// neither of these has two planes, that of all axes.
 double MeanSpacingInSlices(const SpatialGrid& grid, int axis);
 
 /// A face of M: the rectangle between its four grid lines, on a slice.

@@ -112,8 +112,7 @@ Reconstruction RunCore(const std::string& text)
 void ExpectDisc(const Reconstruction& result, const PatchMesh& shell)
 {
   std::vector<Index> border, places;
-  GetBoundary(result.Graph, result.Crossings, result.Nodes, result.Cycles, shell.Cycles.front(),
-    border, places);
+  GeometryOf(result).GetBoundary(shell.Cycles.front(), border, places);
   std::map<std::pair<Index, Index>, int> sides;
   std::set<Index> corners;
   for (const auto& t : shell.Triangles)

@@ -231,7 +231,7 @@ TEST(EmbedArcs, RedrawsFacesOnDemand)
 {
   Stages stages(Octahedron());
   const std::vector<Repair> repairs =
-    EmbedArcs(stages.Grid, stages.Nodes, Execution(), stages.Crossings, stages.Graph, { 0 });
+    EmbedArcs({ stages.Grid, stages.Nodes, stages.Crossings, stages.Graph }, Execution(), { 0 });
   EXPECT_EQ(repairs.size(), 1u);
   EXPECT_EQ(repairs[0].Kind, RepairKind::ArcsRedrawn);
   ExpectEmbedded(stages);

@@ -29,8 +29,8 @@ struct LoopStages : Stages
 
   void Embed(double minimum)
   {
-    EmbedIsolated(
-      this->Grid, this->Nodes, Execution(), minimum, this->Crossings, this->Copies, this->Graph);
+    EmbedIsolated({ this->Grid, this->Nodes, this->Crossings, this->Graph }, minimum, Execution(),
+      this->Copies);
   }
 
   std::vector<Point3> PointsOfArc(Index arc) const
@@ -370,7 +370,7 @@ TEST(IsolatedContours, PartsThatWereCutOffAreNoLoops)
     IsolatedContours copies = CopyIsolated(stages.Isolated, stages.Set, stages.Crossings);
     NodeGraph graph = stages.Graph;
     GridCrossings crossings = stages.Crossings;
-    EmbedIsolated(stages.Grid, stages.Nodes, Execution(), 0.0, crossings, copies, graph);
+    EmbedIsolated({ stages.Grid, stages.Nodes, crossings, graph }, 0.0, Execution(), copies);
     for (std::size_t i = 0; i < stages.Isolated.size(); ++i)
     {
       if (stages.Isolated[i].FirstRun != GridCrossings::None)

@@ -242,7 +242,7 @@ TEST(GetBoundary, GoesAroundTheCycleOverNodesAndArcVertices)
   const auto at = std::find(stages.Cycles.Cell.begin(), stages.Cycles.Cell.end(), Cell{ 0, 0, 0 });
   const auto cycle = static_cast<Index>(at - stages.Cycles.Cell.begin());
   std::vector<Index> points{ 99, 99 }, nodes{ 99 };
-  GetBoundary(stages.Graph, stages.Crossings, stages.Nodes, stages.Cycles, cycle, points, nodes);
+  stages.Geometry().GetBoundary(cycle, points, nodes);
   ASSERT_EQ(points.size(), 6u);
   EXPECT_EQ(nodes, (std::vector<Index>{ 0, 2, 4 }));
   // Counter-clockwise seen from outside, that is from the corner (0, 0, 0).

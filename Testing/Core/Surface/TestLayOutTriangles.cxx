@@ -56,7 +56,7 @@ TEST(Triangles, FanAroundTheCentralPoint)
   std::vector<Index> border, nodes;
   for (Index cycle = 0; cycle < stages.Cycles.Count(); ++cycle)
   {
-    GetBoundary(stages.Graph, stages.Crossings, stages.Nodes, stages.Cycles, cycle, border, nodes);
+    stages.Geometry().GetBoundary(cycle, border, nodes);
     std::set<std::pair<Index, Index>> segments, found;
     for (std::size_t i = 0; i < border.size(); ++i)
     {
