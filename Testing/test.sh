@@ -141,7 +141,7 @@ measure_coverage()
   find build/coverage -name "*.gcda" -delete
   ctest --preset coverage -j "$jobs"
   mkdir -p build/coverage/pages
-  gcovr -j "$jobs" --root . --filter Filters/Core/ --object-directory build/coverage \
+  gcovr -j "$jobs" --root . --gcov-ignore-parse-errors --filter Filters/Core/ --object-directory build/coverage \
     --html-details build/coverage/pages/index.html --fail-under-line 95 --print-summary \
     build/coverage
 }

@@ -193,3 +193,16 @@ TEST(Reconstruct, ClockwiseContoursWithSeveralPatchesInACellBug2)
   ExpectEmbedded("x=0: 0.4,0.85 0.1,0.05 -0.1,0.2; y=0.35: 0.85,0.2 0.5,-0.4 -0.4,-0.3\n"
                  "y=0.6: 0.7,0.2 0.5,-0.3 0.5,-0.2; z=0.72: -0.2,0.6 0.3,0.1 -0.2,-0.1");
 }
+
+//----------------------------------------------------------------------------
+TEST(Reconstruction, CountsNodePointsAtWhichSlicesDisagree)
+{
+  // The y-slice of the octahedron is smaller: its four node points lie 0.25 from the others' contours.
+  const Reconstruction result = Reconstruct(
+    ParsePieces("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -0.75,-0.75 0.75,-0.75 0.75,0.75 -0.75,0.75;"
+                "z=0: -1,-1 1,-1 1,1 -1,1"),
+    Options(), Execution());
+  ASSERT_EQ(result.Nodes.Count(), 6);
+  EXPECT_EQ(CountDisagreements(result, 0.2), 4);
+  EXPECT_EQ(CountDisagreements(result, 0.3), 0);
+}

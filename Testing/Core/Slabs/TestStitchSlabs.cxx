@@ -154,3 +154,25 @@ TEST(SlabGroup, ACriterionFormsGroupsOfItsOwn)
   EXPECT_EQ(
     sizes(CorrespondenceCriterion::SpanningTree), (std::vector<std::size_t>{ 1, 1, 1, 1, 2, 2 }));
 }
+
+//----------------------------------------------------------------------------
+TEST(SlabGroup, WhatDoesNotOverlapIsShearedIfThatIsAllowed)
+{
+  const Stack stack("z=0: 0,0 1,0 1,1 0,1; z=1: 5,2 6,2 6,3 5,3");
+  const CycleGeometry geometry = stack.Geometry();
+  auto groups = FormSlabGroups(geometry, CorrespondenceCriterion::Overlap, {});
+  const auto between = std::find_if(
+    groups.begin(), groups.end(), [](const SlabGroup& group) { return group.Loops.size() == 2; });
+  ASSERT_NE(between, groups.end());
+  SlabGroup straight = *between;
+  OverlayGroup(false, straight);
+  EXPECT_TRUE(straight.Overlay.Valid);
+  EXPECT_EQ(CountPieces(straight.Overlay), 2);
+  EXPECT_EQ(straight.Shift, (Point2{ 0.0, 0.0 }));
+  SlabGroup sheared = *between;
+  OverlayGroup(true, sheared);
+  EXPECT_TRUE(sheared.Overlay.Valid);
+  EXPECT_EQ(CountPieces(sheared.Overlay), 1);
+  EXPECT_NEAR(sheared.Shift[0], 5.0, 1e-12);
+  EXPECT_NEAR(sheared.Shift[1], 2.0, 1e-12);
+}
