@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Crossings/NodeNormals.h"
 
+#include "Support/EvenSlices.h"
 #include "Support/SliceSolid.h"
 #include "Support/Stages.h"
 
@@ -18,23 +19,6 @@ namespace
 std::vector<double> NormalsOf(const Stages& stages)
 {
   return ComputeNodeNormals(stages.Set, stages.Grid, stages.Crossings, stages.Nodes, Execution());
-}
-
-Input Slice(const Solid& solid, int count, int subdivisions = 6)
-{
-  Input input;
-  input.Sets =
-    SliceSolid(solid, EqualPlanes(solid, { count, count, count }), subdivisions, InPlaneGrid::Free);
-  return input;
-}
-
-Solid UnitBall()
-{
-  Solid solid;
-  solid.Low = { -1.23, -1.21, -1.19 };
-  solid.High = { 1.17, 1.22, 1.24 };
-  solid.Tubes = { Ball({ 0, 0, 0 }, 1.0) };
-  return solid;
 }
 }
 

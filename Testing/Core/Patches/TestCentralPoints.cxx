@@ -3,6 +3,7 @@
 #include "Core/Patches/CentralPoints.h"
 
 #include "Core/Crossings/NodeNormals.h"
+#include "Support/EvenSlices.h"
 #include "Support/SliceSolid.h"
 #include "Support/Stages.h"
 
@@ -45,23 +46,6 @@ void ExpectNear(const Point3& a, const Point3& b)
   {
     EXPECT_NEAR(a[axis], b[axis], 1e-9);
   }
-}
-
-Input Slice(const Solid& solid, int count, int subdivisions = 6)
-{
-  Input input;
-  input.Sets =
-    SliceSolid(solid, EqualPlanes(solid, { count, count, count }), subdivisions, InPlaneGrid::Free);
-  return input;
-}
-
-Solid UnitBall()
-{
-  Solid solid;
-  solid.Low = { -1.23, -1.21, -1.19 };
-  solid.High = { 1.17, 1.22, 1.24 };
-  solid.Tubes = { Ball({ 0, 0, 0 }, 1.0) };
-  return solid;
 }
 
 /// Root of the mean squared distance of the central points to the solid.
