@@ -12,6 +12,7 @@
 #include "Core/Slabs/StitchSlabs.h"
 #include "Core/Slices/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
+#include "Core/Sparse/VirtualSlices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,36 @@ std::vector<Repair> DescribeShells(const Reconstruction& result)
   return repairs;
 }
 
+Box3 BoxOf(const Contours& contours)
+{
+  Box3 box;
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
+    {
+      box.Add(contours.World(contour, i));
+    }
+  }
+  return box;
+}
+
+/// Both, one after the other.
+void Append(const Contours& others, Contours& contours)
+{
+  const Index first = contours.Offsets.back();
+  const auto append = [](const auto& from, auto& to)
+  { to.insert(to.end(), from.begin(), from.end()); };
+  append(others.U, contours.U);
+  append(others.V, contours.V);
+  append(others.Axis, contours.Axis);
+  append(others.Coordinate, contours.Coordinate);
+  append(others.Cell, contours.Cell);
+  for (Index i = 0; i < others.Count(); ++i)
+  {
+    contours.Offsets.push_back(first + others.Offsets[i + 1]);
+  }
+}
+
 /// Runs the stages one after another; see Reconstruct.h.
 class StageRunner
 {
@@ -100,6 +131,26 @@ public:
   Reconstruction Run(std::array<Pieces, 3>&& pieces);
 
 private:
+  StageRunner(const StageRunner& first, Contours&& contours)
+    : Settings(first.Settings)
+    , Execute(first.Execute)
+    , Observe(first.Observe)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      if (first.Result.ContourCount[axis] > 0) this->Settings.Weights[axis] *= 1e6;
+    this->Settings.Known.Components = first.Result.Topology.Components;
+    this->Settings.Known.Genus = first.Result.Topology.Genus;
+    this->Tables.Tolerance = first.Tables.Tolerance;
+    this->Tables.Contours = std::move(contours);
+    this->Result.Invalid = first.Result.Invalid;
+    this->Result.CrossingProblems = first.Result.CrossingProblems;
+    this->Result.ContourCount = first.Result.ContourCount;
+    this->Result.Diagonal = first.Result.Diagonal;
+    this->Result.Grid = BuildSpatialGrid(
+      this->Tables.Contours, this->Tables.Tolerance, this->Settings.SinglePrecision);
+  }
+  bool MakeSurface();
+  bool AddVirtualSlices();
   bool ReadContours(std::array<Pieces, 3>&& pieces);
   bool OrientSlices();
   bool MakeSlicesAgree();
@@ -111,10 +162,11 @@ private:
   bool GoOn(double progress);
   void Report(const std::vector<Repair>& repairs);
 
-  const Options& Settings;
+  Options Settings;
   const Execution& Execute;
   const StageObserver& Observe;
   StageTables Tables;
+  Contours Drawn; ///< a copy of the contours, where they are too few
   Reconstruction Result;
 };
 
@@ -191,6 +243,11 @@ bool StageRunner::OrientSlices()
   }
   SmoothContours(
     result.Grid, options.Smoothing, options.Patching.CornerAngle, this->Execute, contours);
+  if (options.VirtualSpacing >= 0.0 &&
+    SliceDensity(result.Grid, BoxOf(contours), options.VirtualSpacing).IsSparse())
+  {
+    this->Drawn = contours;
+  }
   this->Finish(Stage::SmoothContours);
   return true;
 }
@@ -284,11 +341,39 @@ bool StageRunner::FillCycles()
   return this->GoOn(0.8);
 }
 
+bool StageRunner::MakeSurface()
+{
+  return this->MakeSlicesAgree() && this->BuildGraph() && this->PatchCells() && this->FillCycles();
+}
+
+/// Where slices are few, the surface bends from one to the next as little as it can, and takes part
+/// once more as slices between them.
+bool StageRunner::AddVirtualSlices()
+{
+  Reconstruction& first = this->Result;
+  if (this->Drawn.Count() == 0 || first.InsideOut)
+  {
+    return true;
+  }
+  const SliceDensity density(first.Grid, BoxOf(this->Drawn), this->Settings.VirtualSpacing);
+  const Contours added =
+    MakeVirtualSlices(GeometryOf(first), first.Surface, density, this->Execute);
+  if (added.Count() == 0)
+  {
+    return true;
+  }
+  Append(added, this->Drawn);
+  StageRunner again(*this, std::move(this->Drawn));
+  const bool goesOn = again.MakeSurface();
+  this->Result = std::move(again.Result);
+  return goesOn;
+}
+
 Reconstruction StageRunner::Run(std::array<Pieces, 3>&& pieces)
 {
   // Each part says whether to go on.
   static_cast<void>(this->ReadContours(std::move(pieces)) && this->OrientSlices() &&
-    this->MakeSlicesAgree() && this->BuildGraph() && this->PatchCells() && this->FillCycles());
+    this->MakeSurface() && this->AddVirtualSlices());
   return std::move(this->Result);
 }
 }
