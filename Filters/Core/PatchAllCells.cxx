@@ -325,7 +325,7 @@ void CellPatcher::DrawArcsApart()
   this->GraphBefore = this->Result.Graph;
   const std::vector<Repair> repairs = EmbedArcs(this->Tables(), this->Execute,
     ArcsOf(this->Result.Graph, this->Result.Cycles, this->Unresolved));
-  this->Result.Repairs.insert(this->Result.Repairs.end(), repairs.begin(), repairs.end());
+  AppendReal(repairs, this->Result.Grid, this->Result.Repairs);
   this->Finish(Stage::EmbedArcs);
 }
 

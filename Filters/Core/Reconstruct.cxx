@@ -24,7 +24,7 @@ namespace orthoslices
 {
 namespace
 {
-/// Diagonal of the bounding box of all finite coordinates.
+/// Diagonal of the bounding box of all finite coordinates of the input, without virtual pieces.
 double FindDiagonal(const std::array<Pieces, 3>& pieces)
 {
   Box3 box;
@@ -32,11 +32,14 @@ double FindDiagonal(const std::array<Pieces, 3>& pieces)
   {
     const auto extend = [&](int axis, const std::vector<double>& values)
     {
-      for (const double x : values)
+      for (Index piece = 0; piece < set.Count(); ++piece)
       {
-        if (std::isfinite(x))
+        for (Index i = set.Offsets[piece]; i < set.Offsets[piece + 1] && !set.IsVirtual(piece); ++i)
         {
-          box.Add(axis, x);
+          if (std::isfinite(values[i]))
+          {
+            box.Add(axis, values[i]);
+          }
         }
       }
     };
@@ -48,8 +51,20 @@ double FindDiagonal(const std::array<Pieces, 3>& pieces)
   return std::isfinite(diagonal) ? diagonal : 0.0;
 }
 
-/// Whether the slices are cuts of one solid: contours meet to within a small part of a spacing.
-bool DoSlicesAgree(const SpatialGrid& grid, const NodePoints& nodes)
+/// Node points of real slices alone.
+Index CountReal(const SpatialGrid& grid, const GridCrossings& crossings, const NodePoints& nodes)
+{
+  if (!grid.HasVirtual())
+  {
+    return nodes.Count();
+  }
+  const GridEdgeCode code(grid);
+  return static_cast<Index>(std::count_if(nodes.First.begin(), nodes.First.end(),
+    [&](Index crossing) { return AreReal(grid, code.Decode(crossings.Edge[crossing])); }));
+}
+
+/// Whether the real slices are cuts of one solid: contours meet to within a small part of a spacing.
+bool DoSlicesAgree(const SpatialGrid& grid, const GridCrossings& crossings, const NodePoints& nodes)
 {
   constexpr double maximum = 0.03;
   double sum = 0.0;
@@ -59,7 +74,7 @@ bool DoSlicesAgree(const SpatialGrid& grid, const NodePoints& nodes)
   }
   const double spacing =
     std::min({ grid.MeanSpacing(0), grid.MeanSpacing(1), grid.MeanSpacing(2) });
-  return sum <= maximum * maximum * spacing * spacing * nodes.Count();
+  return sum <= maximum * maximum * spacing * spacing * CountReal(grid, crossings, nodes);
 }
 
 /// One repair for each patch that became a shell.
@@ -195,7 +210,7 @@ bool StageRunner::GoOn(double progress)
 
 void StageRunner::Report(const std::vector<Repair>& repairs)
 {
-  this->Result.Repairs.insert(this->Result.Repairs.end(), repairs.begin(), repairs.end());
+  AppendReal(repairs, this->Result.Grid, this->Result.Repairs);
 }
 
 /// Closed contours on planes (the paper's section 3).
@@ -229,9 +244,9 @@ bool StageRunner::OrientSlices()
     // A plane whose contours were all removed says nothing: it must not count as empty.
     buildGrid();
   }
-  for (const std::int8_t axis : contours.Axis)
+  for (Index contour = 0; contour < contours.Count(); ++contour)
   {
-    ++result.ContourCount[axis];
+    result.ContourCount[contours.Axis[contour]] += contours.IsVirtual(contour) ? 0 : 1;
   }
   result.InsideOut = options.Orient == Orientation::AsDrawn && BoundOutside(contours);
   result.Refused = (options.RefuseInvalid && !result.Invalid.empty()) ||
@@ -288,11 +303,11 @@ bool StageRunner::BuildGraph()
   normals =
     ComputeNodeNormals(contours, result.Grid, result.Crossings, result.Nodes, this->Execute);
   result.Isolated = CopyIsolated(this->Tables.IsolatedParts, contours, result.Crossings,
-    DoSlicesAgree(result.Grid, result.Nodes));
+    DoSlicesAgree(result.Grid, result.Crossings, result.Nodes));
   this->Finish(Stage::BuildNodeGraph);
   result.Agreement =
     MeasureAgreement(contours, result.Grid, result.Crossings, result.Nodes, normals);
-  result.Members = { contours.Axis, contours.Plane, contours.Cell };
+  result.Members = { contours.Axis, contours.Plane, contours.Cell, contours.Virtual };
   this->Finish(Stage::MeasureAgreement);
   ThinArcs(this->Settings.ContourTolerance * MinMeanSpacing(result.Grid), result.Crossings,
     result.Nodes, this->Execute, result.Graph);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Slices/SpatialGrid.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace orthoslices
@@ -93,15 +95,34 @@ namespace
 {
 /// Contours [first, last) of the sorted list become one plane.
 void MergePlane(Contours& contours, const std::vector<Index>& order, std::size_t first,
-  std::size_t last, std::vector<double>& planes, const SpatialGrid& grid)
+  std::size_t last, int axis, SpatialGrid& grid)
 {
-  const double coordinate = grid.Round(contours.Coordinate[order[first + (last - first) / 2]]);
+  std::vector<double>& planes = grid.Planes[axis];
+  std::vector<Index> real;
+  std::copy_if(order.begin() + first, order.begin() + last, std::back_inserter(real),
+    [&](Index contour) { return !contours.IsVirtual(contour); });
+  const Index median = real.empty() ? order[first + (last - first) / 2] : real[real.size() / 2];
+  const double coordinate = grid.Round(contours.Coordinate[median]);
   for (std::size_t i = first; i < last; ++i)
   {
     contours.Coordinate[order[i]] = coordinate;
     contours.Plane[order[i]] = static_cast<Index>(planes.size());
   }
   planes.push_back(coordinate);
+  grid.Virtual[axis].push_back(real.empty() ? 1 : 0);
+}
+
+/// No flags say the same as flags of nothing but real planes.
+void DropFlagsOfReal(SpatialGrid& grid)
+{
+  for (const auto& flags : grid.Virtual)
+  {
+    if (std::find(flags.begin(), flags.end(), 1) != flags.end())
+    {
+      return;
+    }
+  }
+  grid.Virtual = {};
 }
 }
 
@@ -169,11 +190,12 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
       if (i == order.size() ||
         contours.Coordinate[order[i]] - contours.Coordinate[order[first]] > reach)
       {
-        MergePlane(contours, order, first, i, grid.Planes[axis], grid);
+        MergePlane(contours, order, first, i, axis, grid);
         first = i;
       }
     }
   }
+  DropFlagsOfReal(grid);
   return grid;
 }
 }

@@ -19,12 +19,18 @@ namespace orthoslices
  * why no singular cases exist (contours through grid edges, vertices on planes, collinear
  * segments).
  *
+ * A plane is *real* if the input has contours on it, and *virtual* if it was added, with contours of
+ * a surface that fills the gaps between the real ones. Where a real and a virtual slice contradict
+ * each other, the real one is right.
+ *
  * An *edge* of M runs along axis t on the intersection of plane i of FirstAxis(t) with plane j of
  * SecondAxis(t), within slab k of t. All edges with the same t, i, j form a *grid line*.
  */
 struct SpatialGrid
 {
   std::array<std::vector<double>, 3> Planes;
+  /// For each plane, 1 if it is virtual; empty if all planes of all axes are real.
+  std::array<std::vector<std::uint8_t>, 3> Virtual;
   /// All coordinates of the result, planes included, are values of float.
   bool SinglePrecision = false;
   /// Distance of neighbouring numbers of the precision at the largest coordinate of each axis.
@@ -34,6 +40,17 @@ struct SpatialGrid
   Point3 Extent{ 0.0, 0.0, 0.0 };
 
   Index Count(int axis) const { return static_cast<Index>(this->Planes[axis].size()); }
+
+  bool IsVirtual(int axis, Index plane) const
+  {
+    return !this->Virtual[axis].empty() && this->Virtual[axis][plane] != 0;
+  }
+
+  /// Whether any plane is virtual.
+  bool HasVirtual() const
+  {
+    return !this->Virtual[0].empty() || !this->Virtual[1].empty() || !this->Virtual[2].empty();
+  }
 
   /// Number of a slice among those of all axes, x before y before z. That of z-slice Count(2), which
   /// there is not, is how many there are.
@@ -138,6 +155,20 @@ struct GridEdge
   Index Slab;   ///< slab of Direction
 };
 
+/// Whether the slice of a family at an edge of M is virtual: family 0 is the slice of
+/// FirstAxis(Direction), family 1 that of SecondAxis(Direction).
+inline bool IsVirtualSlice(const SpatialGrid& grid, const GridEdge& edge, int family)
+{
+  return family == 0 ? grid.IsVirtual(FirstAxis(edge.Direction), edge.First)
+                     : grid.IsVirtual(SecondAxis(edge.Direction), edge.Second);
+}
+
+/// Whether both slices at an edge of M are real, so that it counts what they disagree on.
+inline bool AreReal(const SpatialGrid& grid, const GridEdge& edge)
+{
+  return !IsVirtualSlice(grid, edge, 0) && !IsVirtualSlice(grid, edge, 1);
+}
+
 /// Packs the edges of a grid into one number, ascending along each grid line.
 class GridEdgeCode
 {
@@ -162,7 +193,8 @@ private:
 /**
  * Finds the planes of all contours and sets Contours::Plane. Planes closer than `tolerance`, or
  * than a few dozen steps of the precision, to the first of a group become one at the median
- * coordinate of the group's contours; the contours move onto it.
+ * coordinate of the group's contours; the contours move onto it. A plane is virtual if all of its
+ * contours are; otherwise these have no say in its coordinate.
  */
 SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePrecision = false);
 }
