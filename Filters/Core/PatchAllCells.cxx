@@ -6,7 +6,7 @@
 #include "Core/Graph/EditGraph.h"
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/EmbedIsolated.h"
-#include "Core/Graph/RemoveSmallComponents.h"
+#include "Core/Graph/RemoveComponents.h"
 #include "Core/Patches/Domes.h"
 #include "Core/Slabs/PairLoops.h"
 #include "Core/Slabs/StitchSlabs.h"
@@ -160,7 +160,8 @@ private:
   void FindCellJoins();
   void SeparatePatches();
   void TakePatches();
-  void RemoveSmall();
+  bool LeaveOut(const std::vector<std::uint8_t>& marked);
+  void LeaveOutComponents();
   void DrawArcsApart();
 
   const Options& Settings;
@@ -299,23 +300,41 @@ void CellPatcher::TakePatches()
   this->Finish(Stage::MeasureTopology);
 }
 
-/// Without small components, others may no longer be connected.
-void CellPatcher::RemoveSmall()
+/// Takes marked components out, and patches the cells anew if there are any.
+bool CellPatcher::LeaveOut(const std::vector<std::uint8_t>& marked)
 {
-  const double size = this->Settings.MinComponent * this->Result.Diagonal;
-  Index removed = size > 0.0 ? 1 : 0;
-  while (removed > 0)
+  Reconstruction& result = this->Result;
+  if (std::count(marked.begin(), marked.end(), 1) == 0)
+  {
+    return false;
+  }
+  RemoveComponents(
+    marked, { result.Crossings, result.Nodes, this->NodeNormals, result.Isolated, result.Graph });
+  this->EmbedIsolatedContours();
+  this->PatchCells();
+  return true;
+}
+
+/// Takes out components that nobody has drawn, and small ones. Without them, others may no longer
+/// be connected.
+void CellPatcher::LeaveOutComponents()
+{
+  Reconstruction& result = this->Result;
+  bool removed = result.Grid.HasVirtual();
+  while (removed)
   {
     this->TakePatches();
-    removed = RemoveSmallComponents(size,
-      { this->Result.Crossings, this->Result.Nodes, this->NodeNormals, this->Result.Isolated,
-        this->Result.Graph });
-    this->Result.SmallComponents += removed;
-    if (removed > 0)
-    {
-      this->EmbedIsolatedContours();
-      this->PatchCells();
-    }
+    removed = this->LeaveOut(
+      FindVirtualComponents(result.Grid, result.Crossings, result.Nodes, result.Graph));
+  }
+  const double size = this->Settings.MinComponent * result.Diagonal;
+  removed = size > 0.0;
+  while (removed)
+  {
+    this->TakePatches();
+    const auto isSmall = FindSmallComponents(size, result.Nodes, result.Graph);
+    result.SmallComponents += static_cast<Index>(std::count(isSmall.begin(), isSmall.end(), 1));
+    removed = this->LeaveOut(isSmall);
   }
 }
 
@@ -334,7 +353,7 @@ void CellPatcher::Run()
   constexpr int maxRounds = 3;
   this->EmbedIsolatedContours();
   this->PatchCells();
-  this->RemoveSmall();
+  this->LeaveOutComponents();
   for (int round = 1; round < maxRounds && !this->Unresolved.empty(); ++round)
   {
     this->DrawArcsApart();

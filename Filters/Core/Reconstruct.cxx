@@ -115,9 +115,10 @@ Box3 BoxOf(const Contours& contours)
   return box;
 }
 
-/// Both, one after the other.
-void Append(const Contours& others, Contours& contours)
+/// Adds contours on virtual planes to real ones.
+void AddVirtual(const Contours& others, Contours& contours)
 {
+  contours.Virtual.resize(contours.Axis.size(), 0);
   const Index first = contours.Offsets.back();
   const auto append = [](const auto& from, auto& to)
   { to.insert(to.end(), from.begin(), from.end()); };
@@ -126,6 +127,7 @@ void Append(const Contours& others, Contours& contours)
   append(others.Axis, contours.Axis);
   append(others.Coordinate, contours.Coordinate);
   append(others.Cell, contours.Cell);
+  contours.Virtual.resize(contours.Axis.size(), 1);
   for (Index i = 0; i < others.Count(); ++i)
   {
     contours.Offsets.push_back(first + others.Offsets[i + 1]);
@@ -151,8 +153,6 @@ private:
     , Execute(first.Execute)
     , Observe(first.Observe)
   {
-    for (int axis = 0; axis < 3; ++axis)
-      if (first.Result.ContourCount[axis] > 0) this->Settings.Weights[axis] *= 1e6;
     this->Settings.Known.Components = first.Result.Topology.Components;
     this->Settings.Known.Genus = first.Result.Topology.Genus;
     this->Tables.Tolerance = first.Tables.Tolerance;
@@ -377,9 +377,15 @@ bool StageRunner::AddVirtualSlices()
   {
     return true;
   }
-  Append(added, this->Drawn);
+  AddVirtual(added, this->Drawn);
   StageRunner again(*this, std::move(this->Drawn));
   const bool goesOn = again.MakeSurface();
+  const SurfaceTopology& topology = again.Result.Topology;
+  if (goesOn && (topology.Components != first.Topology.Components || topology.Genus != first.Topology.Genus))
+  {
+    if (getenv("FB")) fprintf(stderr, "FALLBACK %d/%d -> %d/%d\n", first.Topology.Components, first.Topology.Genus, topology.Components, topology.Genus);
+    return true;
+  }
   this->Result = std::move(again.Result);
   return goesOn;
 }

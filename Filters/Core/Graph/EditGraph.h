@@ -21,7 +21,7 @@
  *                         LeaveOutVertices              ThinArcs
  *                         MoveInsideFaces, ReplaceArcs  EmbedArcs
  *                         SetLoops                      EmbedIsolated, StitchSlabs
- *                         RemoveNodes                   RemoveSmallComponents
+ *                         RemoveNodes                   RemoveComponents
  *   Loops                 SetLoops                      EmbedIsolated
  *   Redrawn               ReplaceArcs                   EmbedArcs
  *   Nodes                 BuildNodeGraph, RemoveNodes

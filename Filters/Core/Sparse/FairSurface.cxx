@@ -24,9 +24,9 @@ struct Operator
 /// Weight of the edge of a corner, as seen from its triangle.
 double HalfWeight(const SurfaceMesh& mesh, Index corner)
 {
-  const Point3& apex = mesh.Points[mesh.Corners.VertexOf(corner)];
-  const Point3 u = mesh.Points[mesh.Corners.StartOf(corner)] - apex;
-  const Point3 v = mesh.Points[mesh.Corners.EndOf(corner)] - apex;
+  const Index apex = mesh.Corners.VertexOf(corner);
+  const Point3 u = mesh.Edge(apex, mesh.Corners.StartOf(corner));
+  const Point3 v = mesh.Edge(apex, mesh.Corners.EndOf(corner));
   const double area = Length(Cross(u, v));
   // Angles of less than 3 degrees say nothing about the surface.
   constexpr double largest = 20.0;
@@ -57,9 +57,8 @@ Operator MakeOperator(EdgeWeights weights, const SurfaceMesh& mesh)
       sum[row] -= weight;
     }
     const Index c = corners.VertexOf(corner);
-    const Point3 normal =
-      Cross(mesh.Points[a] - mesh.Points[c], mesh.Points[b] - mesh.Points[c]);
-    result.Area[c] += uniform ? 1.0 : Length(normal) / 6.0;
+    const double area = Length(Cross(mesh.Edge(c, a), mesh.Edge(c, b))) / 6.0;
+    result.Area[c] += uniform ? 1.0 : area / (mesh.Stretch[c] * mesh.Stretch[c]);
   }
   for (Index point = 0; point < points; ++point)
   {

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Sparse/RemeshSurface.h"
 
+#include "Core/Base/TriangleDistance.h"
+
 #include <algorithm>
 #include <cmath>
+
 
 namespace orthoslices
 {
@@ -11,11 +14,12 @@ namespace
 {
 constexpr double Long = 4.0 / 3.0;
 constexpr double Short = 4.0 / 5.0;
+/// How far contours may move off their vertices, as a share of the edges that collapse.
+constexpr double ContourShare = 0.1;
 
 double EdgeLength(const SurfaceMesh& mesh, Index corner)
 {
-  return Length(
-    mesh.Points[mesh.Corners.EndOf(corner)] - mesh.Points[mesh.Corners.StartOf(corner)]);
+  return Length(mesh.Edge(mesh.Corners.StartOf(corner), mesh.Corners.EndOf(corner)));
 }
 
 /// Whether the edges at the start of an edge stay short where they lead to `target` instead.
@@ -28,22 +32,45 @@ bool StaysShort(const SurfaceMesh& mesh, Index corner, const Point3& target, dou
     mesh.Corners.ForCornersAt(end,
       [&](Index at)
       {
-        const Point3& neighbor = mesh.Points[mesh.Corners.VertexOf(CornerTable::Next(at))];
-        before = std::max(before, Length(neighbor - mesh.Points[end]));
-        after = std::max(after, Length(neighbor - target));
+        const Index neighbor = mesh.Corners.VertexOf(CornerTable::Next(at));
+        before = std::max(before, Length(mesh.Edge(end, neighbor)));
+        after = std::max(
+          after, Length(mesh.Stretched(mesh.Points[neighbor] - target, mesh.Stretch[neighbor])));
       });
   }
   return after <= std::max(before, maximum);
 }
 
-/// Moves the start of the corner's edge into its end, if that may be.
-bool TryCollapse(Index corner, double maximum, SurfaceMesh& mesh)
+/// Whether a contour stays within `tolerance` of the start of an edge if that is left out.
+bool StaysOnContour(const SurfaceMesh& mesh, Index corner, double tolerance)
 {
+  const Index start = mesh.Corners.StartOf(corner);
+  const Point3& target = mesh.Points[mesh.Corners.EndOf(corner)];
+  bool stays = true;
+  mesh.Corners.ForCornersAt(start,
+    [&](Index at)
+    {
+      if (mesh.Corners.IsCurve(CornerTable::Previous(at)))
+      {
+        const Point3& before = mesh.Points[mesh.Corners.VertexOf(CornerTable::Next(at))];
+        stays &= before == target ||
+          SquaredDistanceToSegment(mesh.Points[start], before, target) <= tolerance * tolerance;
+      }
+    });
+  return stays;
+}
+
+/// Moves the start of the corner's edge into its end, if that may be.
+bool TryCollapse(Index corner, double shortest, double maximum, SurfaceMesh& mesh)
+{
+  // Contours keep their course; the classes of short edges add up to twice that.
+  const double tolerance = ContourShare * shortest / mesh.Stretch[mesh.Corners.StartOf(corner)];
   const Index start = mesh.Corners.StartOf(corner);
   const Index end = mesh.Corners.EndOf(corner);
   const Point3 target =
     mesh.Fixed[end] ? mesh.Points[end] : Between(mesh.Points[start], mesh.Points[end], 0.5);
   if ((mesh.Fixed[start] && !mesh.Fixed[end]) || !mesh.Corners.CanCollapse(corner) ||
+    (mesh.Fixed[start] && !StaysOnContour(mesh, corner, tolerance)) ||
     !StaysShort(mesh, corner, target, maximum))
   {
     return false;
@@ -53,23 +80,23 @@ bool TryCollapse(Index corner, double maximum, SurfaceMesh& mesh)
   return true;
 }
 
-double Cotangent(const Point3& apex, const Point3& a, const Point3& b)
+double Cotangent(const SurfaceMesh& mesh, Index apex, Index a, Index b)
 {
-  const Point3 u = a - apex;
-  const Point3 v = b - apex;
+  const Point3 u = mesh.Edge(apex, a);
+  const Point3 v = mesh.Edge(apex, b);
   return Dot(u, v) / std::max(Length(Cross(u, v)), 1e-300);
 }
 
 bool IsDelaunay(const SurfaceMesh& mesh, Index corner)
 {
   const CornerTable& corners = mesh.Corners;
-  const Point3& a = mesh.Points[corners.StartOf(corner)];
-  const Point3& b = mesh.Points[corners.EndOf(corner)];
-  const Point3& c = mesh.Points[corners.VertexOf(corner)];
-  const Point3& d = mesh.Points[corners.VertexOf(corners.OppositeOf(corner))];
+  const Index a = corners.StartOf(corner);
+  const Index b = corners.EndOf(corner);
+  const Index c = corners.VertexOf(corner);
+  const Index d = corners.VertexOf(corners.OppositeOf(corner));
   // A little more than nothing, so that four points on a circle do not flip for ever.
   constexpr double enough = -1e-9;
-  return Cotangent(c, a, b) + Cotangent(d, a, b) >= enough;
+  return Cotangent(mesh, c, a, b) + Cotangent(mesh, d, a, b) >= enough;
 }
 }
 
@@ -90,7 +117,7 @@ void CollapseShortEdges(double length, SurfaceMesh& mesh)
       {
         if (mesh.Corners.IsAlive(corner) && EdgeLength(mesh, corner) < shortest)
         {
-          changed |= TryCollapse(corner, Long * length, mesh);
+          changed |= TryCollapse(corner, shortest, Long * length, mesh);
         }
       }
     }
@@ -110,6 +137,8 @@ void SplitLongEdges(double length, SurfaceMesh& mesh)
     const Point3 middle = Between(mesh.Points[mesh.Corners.StartOf(corner)],
       mesh.Points[mesh.Corners.EndOf(corner)], 0.5);
     mesh.Points.push_back(middle);
+    mesh.Stretch.push_back(0.5 *
+      (mesh.Stretch[mesh.Corners.StartOf(corner)] + mesh.Stretch[mesh.Corners.EndOf(corner)]));
     mesh.Fixed.push_back(mesh.Corners.IsCurve(corner) ? 1 : 0);
     const bool crease = mesh.Crease[mesh.Corners.StartOf(corner)] &&
       mesh.Crease[mesh.Corners.EndOf(corner)] && mesh.Corners.IsCurve(corner);

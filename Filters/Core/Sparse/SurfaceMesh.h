@@ -15,6 +15,11 @@ namespace orthoslices
  * A reconstructed surface as a mesh whose points may move. The contours are curves on it: their
  * points are fixed. Each triangle is part of a patch and belongs to the patch's cell; the other
  * points belong to the cell of their triangles, as curves separate the cells.
+ *
+ * Lengths and angles are those after a *stretch* of the directions within the slices, for one
+ * family of slices: thin things between slices far apart, tubes and blades, look to it as wide as
+ * the slices are apart. Without that the least bending would neither keep a tube's radius nor a
+ * blade's edge between two slices.
  */
 struct SurfaceMesh
 {
@@ -24,6 +29,26 @@ struct SurfaceMesh
   std::vector<std::uint8_t> Crease; ///< of each point: the surface has an edge there
   std::vector<Index> Cell;          ///< of each triangle: its place in Cells
   std::vector<Box3> Cells;          ///< where points may go, the margin of the grid taken off
+
+  int StretchAxis = -1;             ///< of the only family of slices; -1: nothing is stretched
+  std::vector<double> Stretch;      ///< of each point, at least 1
+
+  /// From one point to another, stretched.
+  Point3 Edge(Index from, Index to) const
+  {
+    return this->Stretched(
+      this->Points[to] - this->Points[from], 0.5 * (this->Stretch[from] + this->Stretch[to]));
+  }
+  Point3 Stretched(const Point3& vector, double stretch) const
+  {
+    Point3 result = vector;
+    if (this->StretchAxis >= 0)
+    {
+      result[FirstAxis(this->StretchAxis)] *= stretch;
+      result[SecondAxis(this->StretchAxis)] *= stretch;
+    }
+    return result;
+  }
 
   /// The cell of a point that is not fixed.
   Index CellOf(Index point) const { return this->Cell[this->Corners.CornerAt(point) / 3]; }

@@ -7,6 +7,7 @@
 #include "Core/Sparse/RemeshSurface.h"
 #include "Core/Sparse/SubdivideSurface.h"
 
+#include <cstdlib>
 #include <utility>
 
 namespace orthoslices
@@ -23,10 +24,14 @@ SurfaceMesh MakeFairSurface(const CycleGeometry& geometry, const Patches& patche
   RefineEdges(edgeLength, mesh);
   CollapseShortEdges(edgeLength, mesh);
   FairSurface(EdgeWeights::Uniform, mesh);
+  static const int rounds = getenv("IT") ? atoi(getenv("IT")) : 1;
+  for (int i = 0; i < rounds; ++i)
+  {
   SplitLongEdges(edgeLength, mesh);
   CollapseShortEdges(edgeLength, mesh);
   FlipEdges(mesh);
   FairSurface(EdgeWeights::Cotangents, mesh);
+  }
   return mesh;
 }
 

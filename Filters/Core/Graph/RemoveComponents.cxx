@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Graph/RemoveSmallComponents.h"
+#include "Core/Graph/RemoveComponents.h"
 
 #include "Core/Base/Box.h"
 #include "Core/Graph/EditGraph.h"
+
+#include <algorithm>
 
 namespace orthoslices
 {
@@ -34,16 +36,42 @@ std::vector<Box3> BoxesOf(const NodePoints& nodes, const NodeGraph& graph)
 }
 }
 
-Index RemoveSmallComponents(double size, const ComponentTables& tables)
+std::vector<std::uint8_t> FindSmallComponents(
+  double size, const NodePoints& nodes, const NodeGraph& graph)
 {
-  const NodeGraph& graph = tables.Graph;
-  std::vector<std::uint8_t> isSmall; // components
-  Index count = 0;
-  for (const Box3& box : BoxesOf(tables.Nodes, graph))
+  std::vector<std::uint8_t> isSmall;
+  for (const Box3& box : BoxesOf(nodes, graph))
   {
     isSmall.push_back(box.Diagonal() < size ? 1 : 0);
-    count += isSmall.back();
   }
+  return isSmall;
+}
+
+std::vector<std::uint8_t> FindVirtualComponents(const SpatialGrid& grid,
+  const GridCrossings& crossings, const NodePoints& nodes, const NodeGraph& graph)
+{
+  std::vector<std::uint8_t> isVirtual(graph.Components, 1);
+  const GridEdgeCode code(grid);
+  for (Index node = 0; node < graph.Nodes; ++node)
+  {
+    const GridEdge edge = code.Decode(crossings.Edge[nodes.First[node]]);
+    for (const int family : { 0, 1 })
+    {
+      isVirtual[graph.Component[node]] &= IsVirtualSlice(grid, edge, family) ? 1 : 0;
+    }
+  }
+  for (std::size_t loop = 0; loop < graph.Loops.size(); ++loop)
+  {
+    const Face& face = graph.Loops[loop];
+    isVirtual[graph.Component[graph.Nodes + loop]] &= grid.IsVirtual(face.Axis, face.Plane) ? 1 : 0;
+  }
+  return isVirtual;
+}
+
+Index RemoveComponents(const std::vector<std::uint8_t>& marked, const ComponentTables& tables)
+{
+  const NodeGraph& graph = tables.Graph;
+  const Index count = static_cast<Index>(std::count(marked.begin(), marked.end(), 1));
   if (count == 0)
   {
     return 0;
@@ -53,13 +81,13 @@ Index RemoveSmallComponents(double size, const ComponentTables& tables)
     const Index loop = tables.Isolated.Loop[contour];
     if (loop != IsolatedContours::None)
     {
-      tables.Isolated.LeftOut[contour] |= isSmall[graph.Component[graph.Nodes + loop]];
+      tables.Isolated.LeftOut[contour] |= marked[graph.Component[graph.Nodes + loop]];
     }
   }
   std::vector<std::uint8_t> isRemoved(graph.Nodes);
   for (Index node = 0; node < graph.Nodes; ++node)
   {
-    isRemoved[node] = isSmall[graph.Component[node]];
+    isRemoved[node] = marked[graph.Component[node]];
   }
   RemoveNodes(isRemoved, tables.Crossings, tables.Nodes, tables.NodeNormals, tables.Graph);
   return count;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Graph/RemoveSmallComponents.h"
+#include "Core/Graph/RemoveComponents.h"
 
 #include "Core/Reconstruct.h"
 #include "Support/CheckEmbedding.h"
