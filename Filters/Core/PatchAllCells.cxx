@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <tuple>
 
 namespace orthoslices
 {
@@ -37,8 +38,8 @@ std::vector<Index> ArcsOf(
   return arcs;
 }
 
-/// Takes the thinnest isolated contour of each of these cells out of the surface. False if there is
-/// none.
+/// Takes the thinnest isolated contour of each of these cells out of the surface, one of a virtual
+/// slice if there is any. False if there is none.
 bool LeaveOutThinnest(const std::vector<Index>& cycles, Reconstruction& result)
 {
   const CycleGeometry geometry = GeometryOf(result);
@@ -50,20 +51,21 @@ bool LeaveOutThinnest(const std::vector<Index>& cycles, Reconstruction& result)
       contourOf[result.Isolated.Loop[contour]] = contour;
     }
   }
-  std::map<std::array<Index, 3>, std::pair<double, Index>> thinnest;
+  std::map<std::array<Index, 3>, std::tuple<bool, double, Index>> thinnest;
   for (const Index cycle : cycles)
   {
     if (geometry.IsLoop(cycle))
     {
       const Index contour = contourOf[geometry.LoopOf(cycle)];
-      const auto candidate = std::make_pair(ThicknessOf(result.Isolated, contour), contour);
+      const auto candidate =
+        std::make_tuple(geometry.IsReal(cycle), ThicknessOf(result.Isolated, contour), contour);
       const auto at = thinnest.emplace(result.Cycles.Cell[cycle], candidate).first;
       at->second = std::min(at->second, candidate);
     }
   }
   for (const auto& cell : thinnest)
   {
-    result.Isolated.LeftOut[cell.second.second] = 1;
+    result.Isolated.LeftOut[std::get<Index>(cell.second)] = 1;
   }
   return !thinnest.empty();
 }

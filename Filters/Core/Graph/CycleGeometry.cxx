@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Graph/CycleGeometry.h"
 
+#include <algorithm>
+
 namespace orthoslices
 {
 void CycleGeometry::GetBoundary(
@@ -28,6 +30,28 @@ void CycleGeometry::GetBoundary(
       points[place + p] = half.Above ? first + p : first + count - 1 - p;
     }
   }
+}
+
+bool CycleGeometry::IsReal(Index cycle) const
+{
+  if (!this->Grid.HasVirtual())
+  {
+    return true;
+  }
+  const GridEdgeCode code(this->Grid);
+  const auto first = this->Cycles.Arcs.begin() + this->Cycles.Offsets[cycle];
+  const auto last = this->Cycles.Arcs.begin() + this->Cycles.Offsets[cycle + 1];
+  return std::none_of(first, last,
+    [&](const HalfArc& half)
+    {
+      if (this->Graph.IsLoop(half.Arc))
+      {
+        const Face& face = this->Graph.Loops[half.Arc - this->Graph.Arcs];
+        return this->Grid.IsVirtual(face.Axis, face.Plane);
+      }
+      return IsVirtualSlice(
+        this->Grid, code.Decode(this->Crossings.Edge[half.Arc]), this->Crossings.Family[half.Arc]);
+    });
 }
 
 std::vector<Index> CycleGeometry::GetBorders(const std::vector<Index>& cycles) const

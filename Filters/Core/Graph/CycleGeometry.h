@@ -36,6 +36,8 @@ struct CycleGeometry
    * the cycle is points[nodePlaces[i]]; a loop has none. Reuses the memory of both vectors.
    */
   void GetBoundary(Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces) const;
+  /// Whether all arcs of the cycle lie on real slices, see SpatialGrid.
+  bool IsReal(Index cycle) const;
   /// The borders of several cycles, one after another.
   std::vector<Index> GetBorders(const std::vector<Index>& cycles) const;
 };
