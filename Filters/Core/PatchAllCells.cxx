@@ -20,18 +20,20 @@ namespace orthoslices
 {
 namespace
 {
-/// Arcs of the given cycles, but for loops.
+/// Arcs of the given cycles, but for loops; of virtual slices alone, if so asked.
 std::vector<Index> ArcsOf(
-  const NodeGraph& graph, const CellCycles& cycles, const std::vector<Index>& chosen)
+  const CycleGeometry& geometry, const std::vector<Index>& chosen, bool virtualOnly)
 {
+  const CellCycles& cycles = geometry.Cycles;
   std::vector<Index> arcs;
   for (const Index cycle : chosen)
   {
     for (Index i = cycles.Offsets[cycle]; i < cycles.Offsets[cycle + 1]; ++i)
     {
-      if (!graph.IsLoop(cycles.Arcs[i].Arc))
+      const Index arc = cycles.Arcs[i].Arc;
+      if (!geometry.Graph.IsLoop(arc) && !(virtualOnly && geometry.IsOnReal(arc)))
       {
-        arcs.push_back(cycles.Arcs[i].Arc);
+        arcs.push_back(arc);
       }
     }
   }
@@ -163,7 +165,7 @@ private:
   void SeparatePatches();
   void TakePatches();
   void RemoveSmall();
-  void DrawArcsApart();
+  void DrawArcsApart(bool virtualOnly);
 
   const Options& Settings;
   const Execution& Execute;
@@ -322,24 +324,26 @@ void CellPatcher::RemoveSmall()
 }
 
 /// Draws arcs of unresolved cells anew that lie too close together for the precision.
-void CellPatcher::DrawArcsApart()
+void CellPatcher::DrawArcsApart(bool virtualOnly)
 {
   this->GraphBefore = this->Result.Graph;
-  const std::vector<Repair> repairs = EmbedArcs(this->Tables(), this->Execute,
-    ArcsOf(this->Result.Graph, this->Result.Cycles, this->Unresolved));
+  const std::vector<Repair> repairs =
+    EmbedArcs(this->Tables(), this->Execute, ArcsOf(this->Geometry, this->Unresolved, virtualOnly));
   AppendReal(repairs, this->Result.Grid, this->Result.Repairs);
   this->Finish(Stage::EmbedArcs);
 }
 
 void CellPatcher::Run()
 {
-  constexpr int maxRounds = 3;
+  // Arcs of virtual slices are tried alone at first.
+  const bool hasVirtual = this->Result.Grid.HasVirtual();
+  const int maxRounds = hasVirtual ? 4 : 3;
   this->EmbedIsolatedContours();
   this->PatchCells();
   this->RemoveSmall();
   for (int round = 1; round < maxRounds && !this->Unresolved.empty(); ++round)
   {
-    this->DrawArcsApart();
+    this->DrawArcsApart(hasVirtual && round == 1);
     this->EmbedIsolatedContours();
     this->PatchCells();
   }

@@ -32,26 +32,26 @@ void CycleGeometry::GetBoundary(
   }
 }
 
-bool CycleGeometry::IsReal(Index cycle) const
+bool CycleGeometry::IsOnReal(Index arc) const
 {
   if (!this->Grid.HasVirtual())
   {
     return true;
   }
-  const GridEdgeCode code(this->Grid);
+  if (this->Graph.IsLoop(arc))
+  {
+    const Face& face = this->Graph.Loops[arc - this->Graph.Arcs];
+    return !this->Grid.IsVirtual(face.Axis, face.Plane);
+  }
+  const GridEdge edge = GridEdgeCode(this->Grid).Decode(this->Crossings.Edge[arc]);
+  return !IsVirtualSlice(this->Grid, edge, this->Crossings.Family[arc]);
+}
+
+bool CycleGeometry::IsReal(Index cycle) const
+{
   const auto first = this->Cycles.Arcs.begin() + this->Cycles.Offsets[cycle];
   const auto last = this->Cycles.Arcs.begin() + this->Cycles.Offsets[cycle + 1];
-  return std::none_of(first, last,
-    [&](const HalfArc& half)
-    {
-      if (this->Graph.IsLoop(half.Arc))
-      {
-        const Face& face = this->Graph.Loops[half.Arc - this->Graph.Arcs];
-        return this->Grid.IsVirtual(face.Axis, face.Plane);
-      }
-      return IsVirtualSlice(
-        this->Grid, code.Decode(this->Crossings.Edge[half.Arc]), this->Crossings.Family[half.Arc]);
-    });
+  return std::all_of(first, last, [&](const HalfArc& half) { return this->IsOnReal(half.Arc); });
 }
 
 std::vector<Index> CycleGeometry::GetBorders(const std::vector<Index>& cycles) const
