@@ -85,7 +85,9 @@
  *    that the other slices contradict;
  *  - "RepairSize" (float): in world units, how far the slice's nearest crossing was from the
  *    vertex (kind 3), distance of the crossings (4), length of the new arcs (5, 6), of the border
- *    of the patch (7), by how much the arcs became shorter (8).
+ *    of the patch (7), by how much the arcs became shorter (8);
+ *  - "Virtual" (unsigned char), only where there are virtual slices: 1 for their arcs and isolated
+ *    contours, and for node points on them. Nothing that they contradict is reported.
  *
  * Port 2, the histogram of polygon sizes (vtkTable; the paper's Figure 8): columns "PolygonSize"
  * and "Count" (vtkIdType), one row for every size from the smallest to the largest that occurs.
@@ -99,7 +101,8 @@
  * "PlaneCoordinate", "NodePoints", "RmsDisagreement", "MaxDisagreement" as above; of the repairs
  * "OverruledVertices" (kind 3) and "SnippedCrossings" (two for each of kind 4) (vtkIdType); and
  * "ShiftX", "ShiftY", "ShiftZ" (double): the translation within its plane that would bring the
- * slice closest to the others. A slice that was moved as a whole shows here.
+ * slice closest to the others. A slice that was moved as a whole shows here. Only where there are
+ * virtual slices, "Virtual" (unsigned char) is 1 for them; these agree with nothing.
  *
  * Port 5, the undecided places (vtkTable), one row each: "X", "Y", "Z" (double): where; "Kind" (int):
  * 0 two cycles that are the ends of a tube or ends of their own, 1 an isolated contour and the patch

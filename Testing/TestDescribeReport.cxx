@@ -2,8 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/DescribeReport.h"
 
+#include "Bridge/WriteGraph.h"
+#include "Bridge/WriteTables.h"
 #include "Core/Reconstruct.h"
 #include "Support/TextContours.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
 
 #include <gtest/gtest.h>
 
@@ -195,4 +203,63 @@ TEST_F(Report, ComparesTheTopologyWithWhatIsExpected)
   EXPECT_TRUE(Contains(this->Text(), "has 1 components, not 2 as expected"));
   EXPECT_TRUE(Contains(this->Text(), "has genus 0, not 3 as expected"));
   EXPECT_EQ(CountMessages(this->Text()), 2);
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// A square on z = 0 and virtual slices through it that contradict each other and the square.
+Reconstruction WithVirtualSlices(bool areVirtual)
+{
+  PieceSets sets = ParsePieces("x=0: -1,-1 3,-1 3,1 -1,1; y=0: -1,-1 1,-1 1,2 -1,2\n"
+                               "z=0: -1,-1 1,-1 1,1 -1,1; x=0.5: 5,5 6,5 6,6 5,6");
+  if (areVirtual)
+  {
+    sets[0].Virtual.assign(2, 1);
+    sets[1].Virtual.assign(1, 1);
+  }
+  return Reconstruct(std::move(sets), Options(), Execution());
+}
+}
+
+/// The report is about the input: what virtual slices contradict is none of its business.
+TEST(DescribeReport, SaysNothingOfVirtualSlices)
+{
+  ReportSettings settings;
+  settings.Tolerance = 0.1;
+  EXPECT_NE(DescribeReport(WithVirtualSlices(false), settings), "");
+  EXPECT_EQ(DescribeReport(WithVirtualSlices(true), settings), "");
+}
+
+/// The flag is there for every cell and every row, but only if there are virtual slices.
+TEST(WriteGraph, TellsRealSlicesFromVirtualOnes)
+{
+  for (const bool areVirtual : { false, true })
+  {
+    const Reconstruction result = WithVirtualSlices(areVirtual);
+    vtkNew<vtkPolyData> graph;
+    WriteGraph(result, true, graph);
+    vtkNew<vtkTable> slices, contours;
+    WriteSliceTable(result, slices);
+    WriteContourTable(result, contours);
+    EXPECT_EQ(contours->GetNumberOfRows(), areVirtual ? 1 : 4);
+    vtkDataArray* flag = graph->GetCellData()->GetArray("Virtual");
+    ASSERT_EQ(flag != nullptr, areVirtual);
+    ASSERT_EQ(slices->GetColumnByName("Virtual") != nullptr, areVirtual);
+    if (!areVirtual)
+    {
+      continue;
+    }
+    ASSERT_EQ(flag->GetNumberOfTuples(), graph->GetNumberOfCells());
+    vtkDataArray* axis = graph->GetCellData()->GetArray("SliceAxis");
+    for (vtkIdType cell = graph->GetNumberOfVerts(); cell < graph->GetNumberOfCells(); ++cell)
+    {
+      EXPECT_EQ(flag->GetTuple1(cell), axis->GetTuple1(cell) == 2 ? 0.0 : 1.0);
+    }
+    ASSERT_EQ(slices->GetNumberOfRows(), 4);
+    for (vtkIdType row = 0; row < 4; ++row)
+    {
+      EXPECT_EQ(slices->GetValueByName(row, "Virtual").ToInt(), row == 3 ? 0 : 1);
+    }
+  }
 }

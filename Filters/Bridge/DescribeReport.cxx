@@ -157,7 +157,7 @@ void DescribeContradictions(
 /// Contours that take no part in the surface although nothing is wrong with them.
 void DescribeLeftOut(const Reconstruction& result, std::ostringstream& text)
 {
-  const Index leftOut = CountLeftOut(result.Isolated);
+  const Index leftOut = CountLeftOut(result);
   if (leftOut > 0)
   {
     text << "\n"

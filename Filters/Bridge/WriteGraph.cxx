@@ -50,6 +50,7 @@ private:
     double Length;
     int Component;
     double RepairSize;
+    bool Virtual; ///< an arc or contour of a virtual slice, or a node point on one
   };
   void AddRow(const Row& row);
   double SumLength(vtkIdType count, const vtkIdType* ids) const;
@@ -61,7 +62,7 @@ private:
   vtkNew<vtkCellArray> Verts, Lines;
   vtkNew<vtkDoubleArray> Disagreement, Length;
   vtkNew<vtkFloatArray> RepairSize;
-  vtkNew<vtkUnsignedCharArray> Kind;
+  vtkNew<vtkUnsignedCharArray> Kind, Virtual;
   vtkNew<vtkIntArray> SliceAxis, SlicePlane, ComponentId;
 };
 
@@ -86,6 +87,12 @@ GraphWriter::GraphWriter(const Reconstruction& result, vtkPolyData* graph)
     array->Allocate(cells);
     graph->GetCellData()->AddArray(array);
   }
+  if (result.Grid.HasVirtual())
+  {
+    this->Virtual->SetName("Virtual");
+    this->Virtual->Allocate(cells);
+    graph->GetCellData()->AddArray(this->Virtual);
+  }
   const vtkIdType ids = vtkIdType(result.Graph.Count()) + 2 * vtkIdType(result.Crossings.Count());
   if (ids < std::numeric_limits<std::int32_t>::max())
   {
@@ -109,6 +116,10 @@ void GraphWriter::AddRow(const Row& row)
   this->Length->InsertNextValue(row.Length);
   this->ComponentId->InsertNextValue(row.Component);
   this->RepairSize->InsertNextValue(static_cast<float>(row.RepairSize));
+  if (this->Result.Grid.HasVirtual())
+  {
+    this->Virtual->InsertNextValue(row.Virtual ? 1 : 0);
+  }
 }
 
 void GraphWriter::AddNodes()
@@ -118,7 +129,10 @@ void GraphWriter::AddNodes()
     this->Verts->InsertNextCell(1, &node);
     const Index index = static_cast<Index>(node);
     const double disagreement = this->Result.Nodes.Disagreement(index);
-    this->AddRow({ NodeKind, disagreement, -1, -1, 0.0, this->Result.Graph.Component[index], 0.0 });
+    const GridEdge edge =
+      this->Code.Decode(this->Result.Crossings.Edge[this->Result.Nodes.First[index]]);
+    this->AddRow({ NodeKind, disagreement, -1, -1, 0.0, this->Result.Graph.Component[index], 0.0,
+      !AreReal(this->Result.Grid, edge) });
   }
 }
 
@@ -130,8 +144,8 @@ void GraphWriter::AddRepairs()
   {
     this->Verts->InsertNextCell(1, &point);
     ++point;
-    this->AddRow(
-      { static_cast<int>(repair.Kind), 0.0, repair.Axis, repair.Plane, 0.0, -1, repair.Size });
+    this->AddRow({ static_cast<int>(repair.Kind), 0.0, repair.Axis, repair.Plane, 0.0, -1,
+      repair.Size, false });
   }
 }
 
@@ -165,7 +179,7 @@ void GraphWriter::AddArc(Index arc)
   const bool first = crossings.Family[arc] == 0;
   this->AddRow({ ArcKind, 0.0, first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction),
     first ? edge.First : edge.Second, this->SumLength(count, this->Ids.data()),
-    graph.Component[start], 0.0 });
+    graph.Component[start], 0.0, IsVirtualSlice(this->Result.Grid, edge, crossings.Family[arc]) });
 }
 
 void GraphWriter::AddArcs()
@@ -197,7 +211,8 @@ void GraphWriter::AddIsolated()
       ? -1
       : this->Result.Graph.Component[this->Result.Graph.Nodes + loop];
     this->AddRow({ IsolatedKind, 0.0, isolated.Axis[i], isolated.Plane[i],
-      this->SumLength(count, this->Ids.data()), component, 0.0 });
+      this->SumLength(count, this->Ids.data()), component, 0.0,
+      this->Result.Grid.IsVirtual(isolated.Axis[i], isolated.Plane[i]) });
   }
 }
 }

@@ -116,7 +116,7 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
   add("NumberOfContours",
     vtkIdType(result.ContourCount[0]) + result.ContourCount[1] + result.ContourCount[2]);
   add("NumberOfIsolatedContours", result.Isolated.Count());
-  add("NumberOfContoursLeftOut", CountLeftOut(result.Isolated));
+  add("NumberOfContoursLeftOut", CountLeftOut(result));
   add("NumberOfComponentsLeftOut", result.SmallComponents);
   add("NumberOfUndecidedPlaces", static_cast<vtkIdType>(result.Undecided.Places.size()));
   add("TotalGenus", result.Topology.Genus);

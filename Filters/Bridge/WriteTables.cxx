@@ -9,6 +9,7 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 
@@ -75,6 +76,10 @@ void WriteContourTable(const Reconstruction& result, vtkTable* table)
   AgreementColumns columns(table);
   for (std::size_t i = 0; i < result.Members.Cell.size(); ++i)
   {
+    if (result.Members.IsVirtual(i))
+    {
+      continue;
+    }
     const int axis = result.Members.Axis[i];
     port->InsertNextValue(axis);
     cell->InsertNextValue(result.Members.Cell[i]);
@@ -94,6 +99,8 @@ void WriteSliceTable(const Reconstruction& result, vtkTable* table)
   auto* snipped = AddColumn<vtkIdTypeArray>(table, "SnippedCrossings");
   vtkDoubleArray* shift[3] = { AddColumn<vtkDoubleArray>(table, "ShiftX"),
     AddColumn<vtkDoubleArray>(table, "ShiftY"), AddColumn<vtkDoubleArray>(table, "ShiftZ") };
+  auto* isVirtual =
+    result.Grid.HasVirtual() ? AddColumn<vtkUnsignedCharArray>(table, "Virtual") : nullptr;
   for (int axis = 0; axis < 3; ++axis)
   {
     for (Index plane = 0; plane < result.Grid.Count(axis); ++plane)
@@ -104,6 +111,10 @@ void WriteSliceTable(const Reconstruction& result, vtkTable* table)
       columns.Add(result.Agreement.OfPlane[axis][plane]);
       overruled->InsertNextValue(0);
       snipped->InsertNextValue(0);
+      if (isVirtual != nullptr)
+      {
+        isVirtual->InsertNextValue(result.Grid.IsVirtual(axis, plane) ? 1 : 0);
+      }
       for (int i = 0; i < 3; ++i)
       {
         shift[i]->InsertNextValue(result.Agreement.Shift[axis][plane][i]);

@@ -14,31 +14,34 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <tuple>
 
 namespace orthoslices
 {
 namespace
 {
-/// Arcs of the given cycles, but for loops.
+/// Arcs of the given cycles, but for loops; of virtual slices alone, if so asked.
 std::vector<Index> ArcsOf(
-  const NodeGraph& graph, const CellCycles& cycles, const std::vector<Index>& chosen)
+  const CycleGeometry& geometry, const std::vector<Index>& chosen, bool virtualOnly)
 {
+  const CellCycles& cycles = geometry.Cycles;
   std::vector<Index> arcs;
   for (const Index cycle : chosen)
   {
     for (Index i = cycles.Offsets[cycle]; i < cycles.Offsets[cycle + 1]; ++i)
     {
-      if (!graph.IsLoop(cycles.Arcs[i].Arc))
+      const Index arc = cycles.Arcs[i].Arc;
+      if (!geometry.Graph.IsLoop(arc) && !(virtualOnly && geometry.IsOnReal(arc)))
       {
-        arcs.push_back(cycles.Arcs[i].Arc);
+        arcs.push_back(arc);
       }
     }
   }
   return arcs;
 }
 
-/// Takes the thinnest isolated contour of each of these cells out of the surface. False if there is
-/// none.
+/// Takes the thinnest isolated contour of each of these cells out of the surface, one of a virtual
+/// slice if there is any. False if there is none.
 bool LeaveOutThinnest(const std::vector<Index>& cycles, Reconstruction& result)
 {
   const CycleGeometry geometry = GeometryOf(result);
@@ -50,20 +53,21 @@ bool LeaveOutThinnest(const std::vector<Index>& cycles, Reconstruction& result)
       contourOf[result.Isolated.Loop[contour]] = contour;
     }
   }
-  std::map<std::array<Index, 3>, std::pair<double, Index>> thinnest;
+  std::map<std::array<Index, 3>, std::tuple<bool, double, Index>> thinnest;
   for (const Index cycle : cycles)
   {
     if (geometry.IsLoop(cycle))
     {
       const Index contour = contourOf[geometry.LoopOf(cycle)];
-      const auto candidate = std::make_pair(ThicknessOf(result.Isolated, contour), contour);
+      const auto candidate =
+        std::make_tuple(geometry.IsReal(cycle), ThicknessOf(result.Isolated, contour), contour);
       const auto at = thinnest.emplace(result.Cycles.Cell[cycle], candidate).first;
       at->second = std::min(at->second, candidate);
     }
   }
   for (const auto& cell : thinnest)
   {
-    result.Isolated.LeftOut[cell.second.second] = 1;
+    result.Isolated.LeftOut[std::get<Index>(cell.second)] = 1;
   }
   return !thinnest.empty();
 }
@@ -162,7 +166,7 @@ private:
   void TakePatches();
   bool LeaveOut(const std::vector<std::uint8_t>& marked);
   void LeaveOutComponents();
-  void DrawArcsApart();
+  void DrawArcsApart(bool virtualOnly);
 
   const Options& Settings;
   const Execution& Execute;
@@ -339,24 +343,26 @@ void CellPatcher::LeaveOutComponents()
 }
 
 /// Draws arcs of unresolved cells anew that lie too close together for the precision.
-void CellPatcher::DrawArcsApart()
+void CellPatcher::DrawArcsApart(bool virtualOnly)
 {
   this->GraphBefore = this->Result.Graph;
-  const std::vector<Repair> repairs = EmbedArcs(this->Tables(), this->Execute,
-    ArcsOf(this->Result.Graph, this->Result.Cycles, this->Unresolved));
+  const std::vector<Repair> repairs =
+    EmbedArcs(this->Tables(), this->Execute, ArcsOf(this->Geometry, this->Unresolved, virtualOnly));
   AppendReal(repairs, this->Result.Grid, this->Result.Repairs);
   this->Finish(Stage::EmbedArcs);
 }
 
 void CellPatcher::Run()
 {
-  constexpr int maxRounds = 3;
+  // Arcs of virtual slices are tried alone at first.
+  const bool hasVirtual = this->Result.Grid.HasVirtual();
+  const int maxRounds = hasVirtual ? 4 : 3;
   this->EmbedIsolatedContours();
   this->PatchCells();
   this->LeaveOutComponents();
   for (int round = 1; round < maxRounds && !this->Unresolved.empty(); ++round)
   {
-    this->DrawArcsApart();
+    this->DrawArcsApart(hasVirtual && round == 1);
     this->EmbedIsolatedContours();
     this->PatchCells();
   }

@@ -77,17 +77,19 @@ bool DoSlicesAgree(const SpatialGrid& grid, const GridCrossings& crossings, cons
   return sum <= maximum * maximum * spacing * spacing * CountReal(grid, crossings, nodes);
 }
 
-/// One repair for each patch that became a shell.
+/// One repair for each patch between real slices that became a shell.
 std::vector<Repair> DescribeShells(const Reconstruction& result)
 {
   std::vector<Repair> repairs;
   for (const PatchMesh& mesh : result.Surface.Meshes)
   {
-    if (!mesh.IsSeparatedDisc())
+    const CycleGeometry geometry = GeometryOf(result);
+    const auto isReal = [&](Index cycle) { return geometry.IsReal(cycle); };
+    if (!mesh.IsSeparatedDisc() || !std::all_of(mesh.Cycles.begin(), mesh.Cycles.end(), isReal))
     {
       continue;
     }
-    const std::vector<Index> border = GeometryOf(result).GetBorders(mesh.Cycles);
+    const std::vector<Index> border = geometry.GetBorders(mesh.Cycles);
     Point3 sum{ 0.0, 0.0, 0.0 };
     double length = 0.0;
     for (std::size_t i = 0; i < border.size(); ++i)

@@ -9,6 +9,18 @@ CycleGeometry GeometryOf(const Reconstruction& result)
   return { result.Grid, result.Graph, result.Crossings, result.Nodes, result.Cycles };
 }
 
+Index CountLeftOut(const Reconstruction& result)
+{
+  const IsolatedContours& isolated = result.Isolated;
+  Index count = CountLeftOut(isolated);
+  for (Index i = 0; i < isolated.Count() && result.Grid.HasVirtual(); ++i)
+  {
+    const bool isVirtual = result.Grid.IsVirtual(isolated.Axis[i], isolated.Plane[i]);
+    count -= isVirtual && isolated.Loop[i] == IsolatedContours::None ? 1 : 0;
+  }
+  return count;
+}
+
 Index CountDisagreements(const Reconstruction& result, double tolerance)
 {
   Index count = 0;

@@ -68,6 +68,9 @@ struct Reconstruction
 CycleGeometry GeometryOf(const Reconstruction& result);
 
 /// Number of node points at which the two contours are farther apart than the tolerance.
+/// Contours of real slices without node points, or parts of them, that take no part in the surface.
+Index CountLeftOut(const Reconstruction& result);
+
 Index CountDisagreements(const Reconstruction& result, double tolerance);
 }
 

@@ -71,20 +71,20 @@ PlaneSets Between(const Solid& solid, const std::array<int, 3>& count, Random& r
 }
 
 /// About 24 cells of the in-plane grid along each axis, however many planes there are.
-PieceSets Cut(const Solid& solid, const PlaneSets& planes)
+PieceSets Cut(const Solid& solid, const PlaneSets& planes, InPlaneGrid grid)
 {
   std::array<int, 3> subdivisions;
   for (int axis = 0; axis < 3; ++axis)
   {
     subdivisions[axis] = 24 / (static_cast<int>(planes[axis].size()) + 1) + 1;
   }
-  return SliceSolid(solid, planes, subdivisions, InPlaneGrid::Free);
+  return SliceSolid(solid, planes, subdivisions, grid);
 }
 
 PieceSets VirtualSlices(
   std::uint64_t seed, const Solid& solid, const PlaneSets& planes, Fault fault)
 {
-  const auto cut = [&](const Solid& of) { return Cut(of, planes); };
+  const auto cut = [&](const Solid& of) { return Cut(of, planes, InPlaneGrid::Free); };
   PieceSets sets = cut(solid);
   const Solid other = RandomSolid(seed + 100000);
   switch (fault)
@@ -122,7 +122,8 @@ struct Mixed
     }
     this->Sets = EmptySets();
     const PlaneSets planes = EqualPlanes(solid, real);
-    Append(Cut(solid, planes), this->Sets, false);
+    // Aligned: real families agree to the last bit.
+    Append(Cut(solid, planes, InPlaneGrid::Aligned), this->Sets, false);
     Append(VirtualSlices(seed, solid, Between(solid, added, random), fault), this->Sets, true);
   }
 
@@ -187,6 +188,50 @@ TEST(VirtualSlices, NeverChangeAContourOfAStack)
     EXPECT_EQ(input.Result.Reconciled.Vertices, 0);
     EXPECT_EQ(input.Result.Reconciled.Edges, 0);
     EXPECT_EQ(CountDisagreements(input.Result, 0.0), 0);
+    for (const Repair& repair : input.Result.Repairs)
+    {
+      EXPECT_TRUE(repair.Axis < 0 || !input.Result.Grid.IsVirtual(repair.Axis, repair.Plane));
+    }
   }
   EXPECT_GT(vertices, 1000);
+}
+
+//----------------------------------------------------------------------------
+/// The same in single precision, and where the real slices have another orientation.
+TEST(VirtualSlices, NeverChangeAContourInSinglePrecision)
+{
+  for (std::uint64_t seed = FirstSeed(); seed < FirstSeed() + RandomRuns(40); ++seed)
+  {
+    const Fault fault = static_cast<Fault>(seed % static_cast<int>(Fault::Count));
+    Mixed input(seed, { 4 + static_cast<int>(seed % 7), 0, 0 }, fault);
+    RoundToFloat(input.Sets);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Options options;
+    options.SinglePrecision = true;
+    options.Orient = seed % 2 == 0 ? Orientation::ByNesting : Orientation::AsDrawn;
+    options.RefuseInvalid = false;
+    input.Run(options);
+    ASSERT_FALSE(input.Result.Refused);
+    EXPECT_EQ(DescribeFlaws(input.Mesh), "");
+    EXPECT_EQ(FindMissingVertices(input.Real, input.Mesh, 0.0).size(), 0u);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Real slices of two or three families that agree: none of them is changed either.
+TEST(VirtualSlices, DoNotChangeRealSlicesThatAgree)
+{
+  for (std::uint64_t seed = FirstSeed(); seed < FirstSeed() + RandomRuns(40); ++seed)
+  {
+    const Fault fault = static_cast<Fault>(seed % static_cast<int>(Fault::Count));
+    const int n = 3 + static_cast<int>(seed % 5);
+    Mixed input(seed, { n, seed % 2 == 0 ? 1 : n, n }, fault);
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    input.Run();
+    EXPECT_EQ(DescribeFlaws(input.Mesh), "");
+    EXPECT_EQ(FindMissingVertices(input.Real, input.Mesh, 0.0).size(), 0u);
+    EXPECT_EQ(input.Result.Reconciled.Vertices, 0);
+    EXPECT_EQ(input.Result.Reconciled.Edges, 0);
+    EXPECT_EQ(CountDisagreements(input.Result, 1e-12), 0);
+  }
 }

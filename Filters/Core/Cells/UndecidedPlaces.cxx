@@ -229,7 +229,8 @@ UndecidedPlaces Proposer::Run(const std::vector<CycleJoin>& joins, Index maxPlan
 {
   for (const CycleJoin& join : joins)
   {
-    if (join.Impossible || std::abs(join.Evidence) < DecisiveEvidence)
+    if ((join.Impossible || std::abs(join.Evidence) < DecisiveEvidence) &&
+      this->Geometry.IsReal(join.First) && this->Geometry.IsReal(join.Second))
     {
       this->AddPlace(join);
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Graph/CycleGeometry.h"
 
+#include <algorithm>
+
 namespace orthoslices
 {
 void CycleGeometry::GetBoundary(
@@ -28,6 +30,28 @@ void CycleGeometry::GetBoundary(
       points[place + p] = half.Above ? first + p : first + count - 1 - p;
     }
   }
+}
+
+bool CycleGeometry::IsOnReal(Index arc) const
+{
+  if (!this->Grid.HasVirtual())
+  {
+    return true;
+  }
+  if (this->Graph.IsLoop(arc))
+  {
+    const Face& face = this->Graph.Loops[arc - this->Graph.Arcs];
+    return !this->Grid.IsVirtual(face.Axis, face.Plane);
+  }
+  const GridEdge edge = GridEdgeCode(this->Grid).Decode(this->Crossings.Edge[arc]);
+  return !IsVirtualSlice(this->Grid, edge, this->Crossings.Family[arc]);
+}
+
+bool CycleGeometry::IsReal(Index cycle) const
+{
+  const auto first = this->Cycles.Arcs.begin() + this->Cycles.Offsets[cycle];
+  const auto last = this->Cycles.Arcs.begin() + this->Cycles.Offsets[cycle + 1];
+  return std::all_of(first, last, [&](const HalfArc& half) { return this->IsOnReal(half.Arc); });
 }
 
 std::vector<Index> CycleGeometry::GetBorders(const std::vector<Index>& cycles) const

@@ -36,6 +36,10 @@ struct CycleGeometry
    * the cycle is points[nodePlaces[i]]; a loop has none. Reuses the memory of both vectors.
    */
   void GetBoundary(Index cycle, std::vector<Index>& points, std::vector<Index>& nodePlaces) const;
+  /// Whether an arc or a loop lies on a real slice, see SpatialGrid.
+  bool IsOnReal(Index arc) const;
+  /// Whether all arcs of the cycle lie on real slices.
+  bool IsReal(Index cycle) const;
   /// The borders of several cycles, one after another.
   std::vector<Index> GetBorders(const std::vector<Index>& cycles) const;
 };

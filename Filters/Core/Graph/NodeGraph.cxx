@@ -116,9 +116,12 @@ EndShift GraphBuilder::Displacement(Index crossing) const
 {
   const Index node = this->Nodes.NodeOf[crossing];
   EndShift shift;
+  if (!this->Grid.HasVirtual() && this->Nodes.Disagreement(node) <= this->Tolerance)
+  {
+    return shift;
+  }
   const GridEdge edge = this->Code.Decode(this->Crossings.Edge[crossing]);
-  const bool isVirtual = IsVirtualSlice(this->Grid, edge, this->Crossings.Family[crossing]);
-  const double disagreement = isVirtual
+  const double disagreement = IsVirtualSlice(this->Grid, edge, this->Crossings.Family[crossing])
     ? std::abs(this->Nodes.Position[node] - this->Crossings.Position[crossing])
     : this->Nodes.Disagreement(node);
   if (disagreement <= this->Tolerance)

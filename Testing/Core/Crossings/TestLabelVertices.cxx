@@ -118,6 +118,63 @@ TEST(LabelVertices, TheGreaterWeightDecides)
 }
 
 //----------------------------------------------------------------------------
+/// Contours of which those of some axes are virtual.
+Contours WithVirtual(const std::string& text, const std::array<bool, 3>& isVirtual)
+{
+  Contours contours = ParseContours(text);
+  for (const std::int8_t axis : contours.Axis)
+  {
+    contours.Virtual.push_back(isVirtual[axis] ? 1 : 0);
+  }
+  return contours;
+}
+
+/// Of the octahedron's squares that of z leaves the origin out.
+const char* const ZContradicts = "x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1\n"
+                                 "z=0: 0.2,0.2 0.8,0.2 0.8,0.8 0.2,0.8";
+
+//----------------------------------------------------------------------------
+/// One real slice against two virtual ones, which get a loop each; no weight helps them.
+TEST(LabelVertices, ARealSliceOutranksVirtualOnes)
+{
+  Registered data(WithVirtual(ZContradicts, { true, true, false }));
+  EXPECT_EQ(data.Label({ 5.0, 5.0, 0.0 }), 0);
+  ASSERT_EQ(data.Crossings.Count(), 16);
+  for (Index c = 8; c < 16; ++c)
+  {
+    const GridEdge edge = GridEdgeCode(data.Grid).Decode(data.Crossings.Edge[c]);
+    EXPECT_TRUE(IsVirtualSlice(data.Grid, edge, data.Crossings.Family[c]));
+  }
+  EXPECT_TRUE(data.Repairs.empty());
+  ExpectLabels(data, 0);
+}
+
+//----------------------------------------------------------------------------
+/// Real slices across y and z contradict each other: the virtual one decides if they are as heavy.
+TEST(LabelVertices, AVirtualSliceHasTheCastingVote)
+{
+  for (const double weight : { 1.0, 2.0 })
+  {
+    Registered data(WithVirtual(ZContradicts, { true, false, false }));
+    EXPECT_EQ(data.Label({ 9.0, 1.0, weight }), 1);
+    ASSERT_EQ(data.Repairs.size(), 1u);
+    EXPECT_EQ(data.Repairs[0].Axis, weight == 1.0 ? 2 : 1);
+    ExpectLabels(data, 0);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// The majority decides among virtual slices, whatever the weights; nothing is reported.
+TEST(LabelVertices, VirtualSlicesAloneAreEqual)
+{
+  Registered data(WithVirtual(ZContradicts, { true, true, true }));
+  EXPECT_EQ(data.Label({ 0.0, 0.0, 9.0 }), 0);
+  EXPECT_EQ(data.Crossings.Count(), 12);
+  EXPECT_TRUE(data.Repairs.empty());
+  ExpectLabels(data, 0);
+}
+
+//----------------------------------------------------------------------------
 TEST(LabelVertices, LeavesSlicesThatAgree)
 {
   Registered data(ParseContours(Cube()));

@@ -98,3 +98,27 @@ TEST(PairNodePoints, PartnersAreMutualAndOnTheSameEdge)
     }
   }
 }
+
+//----------------------------------------------------------------------------
+/// The z-slice reaches 0.3 farther along +y than the x-slice: the node is where the real one is, to
+/// the last bit, and nothing says that the two disagree.
+TEST(PairNodePoints, LiesOnTheRealContour)
+{
+  for (const int virtualAxis : { 0, 2 })
+  {
+    PieceSets sets = ParsePieces("x=0: -1,-1 1,-1 1,0.9 -1,0.9; y=0: -1,-1 1,-1 1,1 -1,1\n"
+                                 "z=0: -1,-1 1,-1 1,1.2 -1,1.2");
+    // The coordinates of the x-slice are y and z: turn it, so that 0.9 is along y.
+    std::swap(sets[0].U, sets[0].V);
+    sets[virtualAxis].Virtual.assign(1, 1);
+    Input input;
+    input.Sets = sets;
+    const Stages stages(input);
+    const Point3 expected{ 0.0, virtualAxis == 0 ? 1.2 : 0.9, 0.0 };
+    EXPECT_EQ(Positions(stages).count(expected), 1u);
+    for (Index node = 0; node < stages.Nodes.Count(); ++node)
+    {
+      EXPECT_EQ(stages.Nodes.Disagreement(node), 0.0);
+    }
+  }
+}

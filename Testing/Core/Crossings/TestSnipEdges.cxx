@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Crossings/SnipEdges.h"
 
+#include "Core/Crossings/CheckCrossings.h"
 #include "Support/Stages.h"
 
 #include <gtest/gtest.h>
@@ -14,9 +15,15 @@ namespace
 /// The square of Octahedron() in three slices, but that of z has another form.
 struct Snipped
 {
-  explicit Snipped(const std::string& zSlice)
+  /// The slices across the axes of `isVirtual` are virtual ones.
+  explicit Snipped(
+    const std::string& zSlice, const std::array<bool, 3>& isVirtual = { false, false, false })
   {
     this->Set = ParseContours("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1; z=0:" + zSlice);
+    for (const std::int8_t axis : this->Set.Axis)
+    {
+      this->Set.Virtual.push_back(isVirtual[axis] ? 1 : 0);
+    }
     this->Grid = BuildSpatialGrid(this->Set, Stages::Tolerance);
     this->Crossings = RegisterCrossings(this->Set, this->Grid, Execution(), this->Isolated);
     this->Before = this->Crossings.Count();
@@ -94,4 +101,41 @@ TEST(SnipEdges, ListsAPartThatClosesInItself)
     vertices += data.Crossings.RunCount[run];
   }
   EXPECT_EQ(vertices, 3);
+}
+
+//----------------------------------------------------------------------------
+/// The notch is real, the y-slice is not: that gets a loop of two crossings at the same places.
+TEST(SnipEdges, GivesAVirtualSliceWhatARealOneHasAlone)
+{
+  const Snipped data(
+    " -1,-1 0.4,-1 0.5,0.5 0.6,-1 1,-1 1,1 -1,1", std::array<bool, 3>{ true, true, false });
+  EXPECT_EQ(data.SnippedEdges, 0);
+  EXPECT_EQ(data.Removed(), 0);
+  EXPECT_TRUE(data.Repairs.empty());
+  ASSERT_EQ(data.Crossings.Count(), data.Before + 2);
+  const Index a = data.Before, b = data.Before + 1;
+  EXPECT_NEAR(data.Crossings.Position[a], 0.5 - 0.1 / 3.0, 1e-12);
+  EXPECT_NEAR(data.Crossings.Position[b], 0.5 + 0.1 / 3.0, 1e-12);
+  EXPECT_EQ(data.Crossings.Sign(a), -1);
+  EXPECT_EQ(data.Crossings.Sign(b), 1);
+  EXPECT_EQ(data.Crossings.Next[a], b);
+  EXPECT_EQ(data.Crossings.Next[b], a);
+  EXPECT_EQ(CheckCrossingOrder(data.Crossings), "");
+  EXPECT_EQ(CheckSlicesAgree(data.Crossings, data.Edges), "");
+}
+
+//----------------------------------------------------------------------------
+/// The notch is virtual: it is taken out, which is nothing that has to be reported.
+TEST(SnipEdges, DoesNotReportWhatItTakesFromAVirtualSlice)
+{
+  for (const bool allVirtual : { false, true })
+  {
+    const Snipped data(" -1,-1 0.4,-1 0.5,0.5 0.6,-1 1,-1 1,1 -1,1",
+      std::array<bool, 3>{ allVirtual, allVirtual, true });
+    EXPECT_EQ(data.Removed(), 2);
+    EXPECT_EQ(data.Crossings.Count(), data.Before);
+    EXPECT_EQ(data.SnippedEdges, 0);
+    EXPECT_TRUE(data.Repairs.empty());
+    EXPECT_EQ(CheckSlicesAgree(data.Crossings, data.Edges), "");
+  }
 }

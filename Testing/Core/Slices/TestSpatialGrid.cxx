@@ -156,3 +156,31 @@ TEST(GridEdgeCode, IsUniqueReversibleAndAscendsAlongEveryLine)
   EXPECT_EQ(codes.size(), edges);
   EXPECT_EQ(*codes.rbegin(), edges - 1);
 }
+
+//----------------------------------------------------------------------------
+/// Flags are those of the planes, in their order; without virtual planes there are none.
+TEST(SpatialGrid, KnowsItsVirtualPlanes)
+{
+  Contours contours = ParseContours("z=2: 0,0 1,0 0,1; z=0: 0,0 1,0 0,1; z=1: 0,0 1,0 0,1");
+  EXPECT_FALSE(BuildSpatialGrid(contours, 1e-6).HasVirtual());
+  contours.Virtual = { 0, 0, 0 };
+  EXPECT_FALSE(BuildSpatialGrid(contours, 1e-6).HasVirtual());
+  contours.Virtual = { 1, 0, 0 };
+  const SpatialGrid grid = BuildSpatialGrid(contours, 1e-6);
+  EXPECT_TRUE(grid.HasVirtual());
+  EXPECT_FALSE(grid.IsVirtual(2, 0));
+  EXPECT_FALSE(grid.IsVirtual(2, 1));
+  EXPECT_TRUE(grid.IsVirtual(2, 2));
+  EXPECT_FALSE(grid.IsVirtual(0, 0)); // an axis without planes
+}
+
+//----------------------------------------------------------------------------
+/// A virtual contour that comes too near a real plane has no say in where that lies.
+TEST(SpatialGrid, APlaneWithARealContourIsReal)
+{
+  Contours contours = ParseContours("z=0.99: 0,0 1,0 0,1; z=1: 0,0 1,0 0,1; z=1.01: 0,0 1,0 0,1");
+  contours.Virtual = { 1, 0, 1 };
+  const SpatialGrid grid = BuildSpatialGrid(contours, 0.1);
+  EXPECT_FALSE(grid.HasVirtual());
+  EXPECT_EQ(grid.Planes[2], (std::vector<double>{ 1.0 }));
+}
