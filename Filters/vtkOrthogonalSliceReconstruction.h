@@ -115,9 +115,9 @@
  * outputs of the others are empty.
  *
  * @section Guarantees Guarantees
- * G1 to G6 in Core/Reconstruct.h: closed, 2-manifold, consistently oriented outwards, contour
+ * G1 to G7 in Core/Reconstruct.h: closed, 2-manifold, consistently oriented outwards, contour
  * vertices kept, the same bytes for any number of threads and on every execution, no two triangles
- * that cross.
+ * that cross, nothing outside the box of the contours by more than half a spacing.
  *
  * @section Errors Errors
  * A connected port without contours, no connected port, an open contour, a contour that leaves its

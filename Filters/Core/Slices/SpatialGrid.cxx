@@ -2,11 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Slices/SpatialGrid.h"
 
+#include "Core/Base/Box.h"
+
 #include <cmath>
 #include <limits>
 
 namespace orthoslices
 {
+namespace
+{
+/// Planes that are fewer steps of the precision apart become one: closer ones leave no room for 16
+/// steps of Margin on both sides and for a few patches between them.
+constexpr double MinDistanceOfPlanes = 256.0;
+}
+
 double SpatialGrid::Margin(int axis, Index slab) const
 {
   // A millionth of the slab is far below the detail of any contour and far above rounding: 16 steps
@@ -26,8 +35,8 @@ double SpatialGrid::MoveInside(int axis, Index slab, double coordinate, double s
   const bool above = slab < this->Count(axis);
   const double width = below && above ? planes[slab] - planes[slab - 1] : this->MeanSpacing(axis);
   const double margin = std::max(this->Margin(axis, slab), share * width);
-  coordinate = below ? std::max(coordinate, planes[slab - 1] + margin) : coordinate;
-  coordinate = above ? std::min(coordinate, planes[slab] - margin) : coordinate;
+  coordinate = std::max(coordinate, below ? planes[slab - 1] + margin : this->Lowest[axis]);
+  coordinate = std::min(coordinate, above ? planes[slab] - margin : this->Highest[axis]);
   return this->Round(coordinate);
 }
 
@@ -42,6 +51,20 @@ void SpatialGrid::GetExtent(
   }
   low = slab > 0 ? planes[slab - 1] : this->Round(minimum - beyond);
   high = slab < this->Count(axis) ? planes[slab] : this->Round(maximum + beyond);
+}
+
+double SpacingAtEnds(const SpatialGrid& grid, int axis)
+{
+  if (grid.Count(axis) > 1)
+  {
+    return grid.MeanSpacing(axis);
+  }
+  double spacing = 0.5 * grid.Extent[axis];
+  for (const int other : { FirstAxis(axis), SecondAxis(axis) })
+  {
+    spacing = grid.Count(other) > 1 ? std::min(spacing, grid.MeanSpacing(other)) : spacing;
+  }
+  return std::max(spacing, MinDistanceOfPlanes * grid.Step[axis]);
 }
 
 double MinMeanSpacing(const SpatialGrid& grid)
@@ -107,39 +130,58 @@ void MergePlane(Contours& contours, const std::vector<Index>& order, std::size_t
 
 namespace
 {
-/// Sets the steps of the precision and the extents from the coordinates of all contours.
-void FindExtent(const Contours& contours, SpatialGrid& grid)
+/// The box around all contours.
+Box3 FindBox(const Contours& contours)
 {
-  Point3 low, high;
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-std::numeric_limits<double>::infinity());
-  const auto extend = [&](int axis, double x)
-  {
-    low[axis] = std::min(low[axis], x);
-    high[axis] = std::max(high[axis], x);
-  };
+  Box3 box;
   for (Index i = 0; i < contours.Count(); ++i)
   {
     const int axis = contours.Axis[i];
-    extend(axis, contours.Coordinate[i]);
+    box.Add(axis, contours.Coordinate[i]);
     for (Index v = contours.Offsets[i]; v < contours.Offsets[i + 1]; ++v)
     {
-      extend(FirstAxis(axis), contours.U[v]);
-      extend(SecondAxis(axis), contours.V[v]);
+      box.Add(FirstAxis(axis), contours.U[v]);
+      box.Add(SecondAxis(axis), contours.V[v]);
     }
   }
+  return box;
+}
+
+/// Sets the steps of the precision and the extents from the box around all contours.
+void FindExtent(const Box3& box, SpatialGrid& grid)
+{
   const double epsilon = grid.SinglePrecision ? std::numeric_limits<float>::epsilon()
                                               : std::numeric_limits<double>::epsilon();
   double longest = 0.0;
-  for (int axis = 0; axis < 3 && contours.Count() > 0; ++axis)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    grid.Step[axis] = epsilon * std::max(std::abs(low[axis]), std::abs(high[axis]));
-    grid.Extent[axis] = high[axis] - low[axis];
+    grid.Step[axis] = epsilon * std::max(std::abs(box.Low[axis]), std::abs(box.High[axis]));
+    grid.Extent[axis] = box.High[axis] - box.Low[axis];
     longest = std::max(longest, grid.Extent[axis]);
   }
   for (double& extent : grid.Extent)
   {
     extent = extent > 0.0 ? extent : longest;
+  }
+}
+
+/// The number of the grid's precision next to x, but not beyond it on the side of `outwards`.
+double RoundInwards(const SpatialGrid& grid, double x, double outwards)
+{
+  const double rounded = grid.Round(x);
+  const bool isBeyond = outwards < 0.0 ? rounded < x : rounded > x;
+  return isBeyond ? std::nextafter(static_cast<float>(rounded), static_cast<float>(-outwards))
+                  : rounded;
+}
+
+/// Sets the bounds of the surface. REQUIRES: the planes are known.
+void SetBounds(const Box3& box, SpatialGrid& grid)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double beyond = 0.5 * SpacingAtEnds(grid, axis);
+    grid.Lowest[axis] = RoundInwards(grid, box.Low[axis] - beyond, -HUGE_VAL);
+    grid.Highest[axis] = RoundInwards(grid, box.High[axis] + beyond, HUGE_VAL);
   }
 }
 }
@@ -148,7 +190,11 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
 {
   SpatialGrid grid;
   grid.SinglePrecision = singlePrecision;
-  FindExtent(contours, grid);
+  const Box3 box = FindBox(contours);
+  if (contours.Count() > 0)
+  {
+    FindExtent(box, grid);
+  }
   contours.Plane.assign(contours.Count(), 0);
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -162,7 +208,7 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
     }
     std::stable_sort(order.begin(), order.end(),
       [&](Index a, Index b) { return contours.Coordinate[a] < contours.Coordinate[b]; });
-    const double reach = std::max(tolerance, 256.0 * grid.Step[axis]);
+    const double reach = std::max(tolerance, MinDistanceOfPlanes * grid.Step[axis]);
     std::size_t first = 0;
     for (std::size_t i = 1; i <= order.size(); ++i)
     {
@@ -173,6 +219,10 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
         first = i;
       }
     }
+  }
+  if (contours.Count() > 0)
+  {
+    SetBounds(box, grid);
   }
   return grid;
 }
