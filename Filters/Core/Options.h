@@ -36,6 +36,8 @@ struct Options
   PatchOptions Patching;
   double Smoothing = 0.0;        ///< of contours, in mean plane spacings; see SmoothContours
   double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
+  /// Distance of virtual planes, see SliceDensity: 0 by the slices there are, negative: none.
+  double VirtualSpacing = -1.0;
   /// Smaller ones are left out, by the diagonal of their bounding box as a fraction of that of all
   /// contours.
   double MinIsolatedContour = 0.0;

@@ -216,6 +216,7 @@ void CellPatcher::LocateCenters()
   centralPoints =
     LocateCentralPoints(this->Settings.Central, this->Geometry, this->NodeNormals, this->Execute);
   LowerDomes(this->Geometry, this->Result.Cells, this->NodeNormals, centralPoints);
+  FlattenEnds(this->Geometry, this->Known.Patches, centralPoints);
   this->Finish(Stage::LocateCentralPoints);
 }
 
@@ -325,7 +326,7 @@ void CellPatcher::DrawArcsApart()
   this->GraphBefore = this->Result.Graph;
   const std::vector<Repair> repairs = EmbedArcs(this->Tables(), this->Execute,
     ArcsOf(this->Result.Graph, this->Result.Cycles, this->Unresolved));
-  this->Result.Repairs.insert(this->Result.Repairs.end(), repairs.begin(), repairs.end());
+  AppendReal(repairs, this->Result.Grid, this->Result.Repairs);
   this->Finish(Stage::EmbedArcs);
 }
 

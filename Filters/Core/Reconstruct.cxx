@@ -12,6 +12,7 @@
 #include "Core/Slabs/StitchSlabs.h"
 #include "Core/Slices/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
+#include "Core/Sparse/VirtualSlices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ namespace orthoslices
 {
 namespace
 {
-/// Diagonal of the bounding box of all finite coordinates.
+/// Diagonal of the bounding box of all finite coordinates of the input, without virtual pieces.
 double FindDiagonal(const std::array<Pieces, 3>& pieces)
 {
   Box3 box;
@@ -31,11 +32,14 @@ double FindDiagonal(const std::array<Pieces, 3>& pieces)
   {
     const auto extend = [&](int axis, const std::vector<double>& values)
     {
-      for (const double x : values)
+      for (Index piece = 0; piece < set.Count(); ++piece)
       {
-        if (std::isfinite(x))
+        for (Index i = set.Offsets[piece]; i < set.Offsets[piece + 1] && !set.IsVirtual(piece); ++i)
         {
-          box.Add(axis, x);
+          if (std::isfinite(values[i]))
+          {
+            box.Add(axis, values[i]);
+          }
         }
       }
     };
@@ -47,8 +51,20 @@ double FindDiagonal(const std::array<Pieces, 3>& pieces)
   return std::isfinite(diagonal) ? diagonal : 0.0;
 }
 
-/// Whether the slices are cuts of one solid: contours meet to within a small part of a spacing.
-bool DoSlicesAgree(const SpatialGrid& grid, const NodePoints& nodes)
+/// Node points of real slices alone.
+Index CountReal(const SpatialGrid& grid, const GridCrossings& crossings, const NodePoints& nodes)
+{
+  if (!grid.HasVirtual())
+  {
+    return nodes.Count();
+  }
+  const GridEdgeCode code(grid);
+  return static_cast<Index>(std::count_if(nodes.First.begin(), nodes.First.end(),
+    [&](Index crossing) { return AreReal(grid, code.Decode(crossings.Edge[crossing])); }));
+}
+
+/// Whether the real slices are cuts of one solid: contours meet to within a small part of a spacing.
+bool DoSlicesAgree(const SpatialGrid& grid, const GridCrossings& crossings, const NodePoints& nodes)
 {
   constexpr double maximum = 0.03;
   double sum = 0.0;
@@ -58,7 +74,7 @@ bool DoSlicesAgree(const SpatialGrid& grid, const NodePoints& nodes)
   }
   const double spacing =
     std::min({ grid.MeanSpacing(0), grid.MeanSpacing(1), grid.MeanSpacing(2) });
-  return sum <= maximum * maximum * spacing * spacing * nodes.Count();
+  return sum <= maximum * maximum * spacing * spacing * CountReal(grid, crossings, nodes);
 }
 
 /// One repair for each patch that became a shell.
@@ -86,6 +102,36 @@ std::vector<Repair> DescribeShells(const Reconstruction& result)
   return repairs;
 }
 
+Box3 BoxOf(const Contours& contours)
+{
+  Box3 box;
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
+    {
+      box.Add(contours.World(contour, i));
+    }
+  }
+  return box;
+}
+
+/// Both, one after the other.
+void Append(const Contours& others, Contours& contours)
+{
+  const Index first = contours.Offsets.back();
+  const auto append = [](const auto& from, auto& to)
+  { to.insert(to.end(), from.begin(), from.end()); };
+  append(others.U, contours.U);
+  append(others.V, contours.V);
+  append(others.Axis, contours.Axis);
+  append(others.Coordinate, contours.Coordinate);
+  append(others.Cell, contours.Cell);
+  for (Index i = 0; i < others.Count(); ++i)
+  {
+    contours.Offsets.push_back(first + others.Offsets[i + 1]);
+  }
+}
+
 /// Runs the stages one after another; see Reconstruct.h.
 class StageRunner
 {
@@ -100,6 +146,27 @@ public:
   Reconstruction Run(std::array<Pieces, 3>&& pieces);
 
 private:
+  StageRunner(const StageRunner& first, Contours&& contours)
+    : Settings(first.Settings)
+    , Execute(first.Execute)
+    , Observe(first.Observe)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+      if (first.Result.ContourCount[axis] > 0)
+        this->Settings.Weights[axis] *= 1e6;
+    this->Settings.Known.Components = first.Result.Topology.Components;
+    this->Settings.Known.Genus = first.Result.Topology.Genus;
+    this->Tables.Tolerance = first.Tables.Tolerance;
+    this->Tables.Contours = std::move(contours);
+    this->Result.Invalid = first.Result.Invalid;
+    this->Result.CrossingProblems = first.Result.CrossingProblems;
+    this->Result.ContourCount = first.Result.ContourCount;
+    this->Result.Diagonal = first.Result.Diagonal;
+    this->Result.Grid = BuildSpatialGrid(
+      this->Tables.Contours, this->Tables.Tolerance, this->Settings.SinglePrecision);
+  }
+  bool MakeSurface();
+  bool AddVirtualSlices();
   bool ReadContours(std::array<Pieces, 3>&& pieces);
   bool OrientSlices();
   bool MakeSlicesAgree();
@@ -111,10 +178,11 @@ private:
   bool GoOn(double progress);
   void Report(const std::vector<Repair>& repairs);
 
-  const Options& Settings;
+  Options Settings;
   const Execution& Execute;
   const StageObserver& Observe;
   StageTables Tables;
+  Contours Drawn; ///< a copy of the contours, where they are too few
   Reconstruction Result;
 };
 
@@ -143,7 +211,7 @@ bool StageRunner::GoOn(double progress)
 
 void StageRunner::Report(const std::vector<Repair>& repairs)
 {
-  this->Result.Repairs.insert(this->Result.Repairs.end(), repairs.begin(), repairs.end());
+  AppendReal(repairs, this->Result.Grid, this->Result.Repairs);
 }
 
 /// Closed contours on planes (the paper's section 3).
@@ -177,9 +245,9 @@ bool StageRunner::OrientSlices()
     // A plane whose contours were all removed says nothing: it must not count as empty.
     buildGrid();
   }
-  for (const std::int8_t axis : contours.Axis)
+  for (Index contour = 0; contour < contours.Count(); ++contour)
   {
-    ++result.ContourCount[axis];
+    result.ContourCount[contours.Axis[contour]] += contours.IsVirtual(contour) ? 0 : 1;
   }
   result.InsideOut = options.Orient == Orientation::AsDrawn && BoundOutside(contours);
   result.Refused = (options.RefuseInvalid && !result.Invalid.empty()) ||
@@ -191,6 +259,11 @@ bool StageRunner::OrientSlices()
   }
   SmoothContours(
     result.Grid, options.Smoothing, options.Patching.CornerAngle, this->Execute, contours);
+  if (options.VirtualSpacing >= 0.0 &&
+    SliceDensity(result.Grid, BoxOf(contours), options.VirtualSpacing).IsSparse())
+  {
+    this->Drawn = contours;
+  }
   this->Finish(Stage::SmoothContours);
   return true;
 }
@@ -231,11 +304,11 @@ bool StageRunner::BuildGraph()
   normals =
     ComputeNodeNormals(contours, result.Grid, result.Crossings, result.Nodes, this->Execute);
   result.Isolated = CopyIsolated(this->Tables.IsolatedParts, contours, result.Crossings,
-    DoSlicesAgree(result.Grid, result.Nodes));
+    DoSlicesAgree(result.Grid, result.Crossings, result.Nodes));
   this->Finish(Stage::BuildNodeGraph);
   result.Agreement =
     MeasureAgreement(contours, result.Grid, result.Crossings, result.Nodes, normals);
-  result.Members = { contours.Axis, contours.Plane, contours.Cell };
+  result.Members = { contours.Axis, contours.Plane, contours.Cell, contours.Virtual };
   this->Finish(Stage::MeasureAgreement);
   ThinArcs(this->Settings.ContourTolerance * MinMeanSpacing(result.Grid), result.Crossings,
     result.Nodes, this->Execute, result.Graph);
@@ -284,11 +357,39 @@ bool StageRunner::FillCycles()
   return this->GoOn(0.8);
 }
 
+bool StageRunner::MakeSurface()
+{
+  return this->MakeSlicesAgree() && this->BuildGraph() && this->PatchCells() && this->FillCycles();
+}
+
+/// Where slices are few, the surface bends from one to the next as little as it can, and takes part
+/// once more as slices between them.
+bool StageRunner::AddVirtualSlices()
+{
+  Reconstruction& first = this->Result;
+  if (this->Drawn.Count() == 0 || first.InsideOut)
+  {
+    return true;
+  }
+  const SliceDensity density(first.Grid, BoxOf(this->Drawn), this->Settings.VirtualSpacing);
+  const Contours added =
+    MakeVirtualSlices(GeometryOf(first), first.Surface, density, this->Execute);
+  if (added.Count() == 0)
+  {
+    return true;
+  }
+  Append(added, this->Drawn);
+  StageRunner again(*this, std::move(this->Drawn));
+  const bool goesOn = again.MakeSurface();
+  this->Result = std::move(again.Result);
+  return goesOn;
+}
+
 Reconstruction StageRunner::Run(std::array<Pieces, 3>&& pieces)
 {
   // Each part says whether to go on.
   static_cast<void>(this->ReadContours(std::move(pieces)) && this->OrientSlices() &&
-    this->MakeSlicesAgree() && this->BuildGraph() && this->PatchCells() && this->FillCycles());
+    this->MakeSurface() && this->AddVirtualSlices());
   return std::move(this->Result);
 }
 }

@@ -23,6 +23,12 @@ struct ContourList
   std::vector<std::int8_t> Axis;
   std::vector<Index> Plane;
   std::vector<std::int64_t> Cell;
+  std::vector<std::uint8_t> Virtual; ///< as in Contours
+
+  bool IsVirtual(std::size_t contour) const
+  {
+    return !this->Virtual.empty() && this->Virtual[contour] != 0;
+  }
 };
 
 struct Reconstruction
@@ -31,8 +37,9 @@ struct Reconstruction
   std::vector<Problem> CrossingProblems; ///< contours that cross themselves or others
   bool InsideOut = false;                ///< the contours as drawn bound the outside
   bool Refused = false; ///< because of these, see Options; nothing else is set then
-  std::array<Index, 3> ContourCount{ 0, 0, 0 }; ///< usable contours of each axis
-  bool Stopped = false;                         ///< Execution::Continue returned false
+  std::array<Index, 3> ContourCount{ 0, 0,
+    0 };                ///< usable contours of each axis, without virtual ones
+  bool Stopped = false; ///< Execution::Continue returned false
 
   double Diagonal = 0.0; ///< of the bounding box of all contours
   SpatialGrid Grid;
@@ -53,7 +60,7 @@ struct Reconstruction
 
   /// The report: what the slices disagreed on, and what was done about it.
   Reconciliation Reconciled;   ///< its repairs are moved to Repairs
-  std::vector<Repair> Repairs; ///< of all stages
+  std::vector<Repair> Repairs; ///< of all stages, without those of virtual slices
   SliceAgreement Agreement;
   ContourList Members; ///< of Agreement.OfContour
 };

@@ -33,6 +33,10 @@ struct Problem
  * Piece i has the vertices Offsets[i] to Offsets[i + 1] - 1; U, V, W are the coordinates along
  * FirstAxis, SecondAxis and the slicing axis. Closed[i] says that the piece is a polygon, or that
  * its first point was repeated at the end (the repetition is not stored).
+ *
+ * Virtual[i] says that the piece lies on a virtual plane (see SpatialGrid); empty if none does.
+ * REQUIRES: pieces on virtual planes are closed, have their interior on the left, and lie farther
+ * than the tolerance of planes from pieces that are real.
  */
 struct Pieces
 {
@@ -41,14 +45,18 @@ struct Pieces
   std::vector<Index> Offsets{ 0 };
   std::vector<std::int64_t> Cell;
   std::vector<std::uint8_t> Closed;
+  std::vector<std::uint8_t> Virtual;
 
   Index Count() const { return static_cast<Index>(this->Cell.size()); }
+  bool IsVirtual(Index piece) const { return !this->Virtual.empty() && this->Virtual[piece] != 0; }
 };
 
 /**
  * Closed contours of all three axes, one after another. Contour i has the vertices Offsets[i] to
  * Offsets[i + 1] - 1 (first not repeated, no two consecutive ones equal, at least three) on the
  * plane Coordinate[i] of axis Axis[i]; Plane[i] is the index of that plane in the spatial grid.
+ * Virtual[i] says that it is no contour of the input but one of a virtual plane (see SpatialGrid);
+ * empty if none is.
  */
 struct Contours
 {
@@ -58,8 +66,13 @@ struct Contours
   std::vector<double> Coordinate;
   std::vector<Index> Plane;
   std::vector<std::int64_t> Cell;
+  std::vector<std::uint8_t> Virtual;
 
   Index Count() const { return static_cast<Index>(this->Axis.size()); }
+  bool IsVirtual(Index contour) const
+  {
+    return !this->Virtual.empty() && this->Virtual[contour] != 0;
+  }
   Index Size(Index contour) const { return this->Offsets[contour + 1] - this->Offsets[contour]; }
 
   /// World coordinates of a vertex of the contour.

@@ -44,7 +44,12 @@ private:
   void AddDoubts(
     const GridEdge& edge, Index end, const int winding[2], std::vector<Doubt>& doubts) const;
   std::vector<Correction> Decide(std::vector<Doubt>& doubts);
-  int Vote(const std::array<int, 3>& winding) const;
+  bool IsVirtual(const std::array<Index, 3>& vertex, int axis) const
+  {
+    return this->Tables.Grid.IsVirtual(axis, vertex[axis]);
+  }
+  int Vote(const std::array<Index, 3>& vertex, const std::array<int, 3>& winding) const;
+  bool DoRealAgree(const std::array<Index, 3>& vertex, const std::array<int, 3>& winding) const;
   Repair Describe(const Correction& correction) const;
   double DistanceTo(const GridEdge& edge, int family, double position) const;
   void InsertLoop(const Correction& correction);
@@ -52,7 +57,7 @@ private:
   CrossingTables Tables;
   AxisWeights Weights;
   int Background;
-  Index Vertices = 0; ///< on which the slices do not agree
+  Index Vertices = 0; ///< on which the real slices do not agree
 };
 
 bool IsDoubtful(const int winding[2])
@@ -105,18 +110,49 @@ std::vector<Doubt> VertexLabeller::FindDoubts() const
   return doubts;
 }
 
-/// The label with the greater weight. Windings beyond 0 and 1 count as outside and inside.
-int VertexLabeller::Vote(const std::array<int, 3>& winding) const
+/**
+ * The label with the greater weight among the real slices. Between two of them that are as heavy the
+ * virtual one decides; virtual ones alone are equal. Windings beyond 0 and 1 count as outside and
+ * inside.
+ */
+int VertexLabeller::Vote(
+  const std::array<Index, 3>& vertex, const std::array<int, 3>& winding) const
 {
   double inside = 0.0;
   double outside = 0.0;
-  int heaviest = 0;
+  int heaviest = -1;
+  int virtually = 0; // more virtual slices inside than outside
   for (int axis = 0; axis < 3; ++axis)
   {
+    if (this->IsVirtual(vertex, axis))
+    {
+      virtually += winding[axis] > 0 ? 1 : -1;
+      continue;
+    }
     (winding[axis] > 0 ? inside : outside) += this->Weights[axis];
-    heaviest = this->Weights[axis] > this->Weights[heaviest] ? axis : heaviest;
+    heaviest = heaviest < 0 || this->Weights[axis] > this->Weights[heaviest] ? axis : heaviest;
   }
-  return inside != outside ? inside > outside : winding[heaviest] > 0;
+  const bool isTied = heaviest < 0 || (inside == outside && inside > 0.0 && virtually != 0);
+  return isTied ? virtually > 0 : inside != outside ? inside > outside : winding[heaviest] > 0;
+}
+
+/// Whether the real slices have one label at a vertex, inside or outside.
+bool VertexLabeller::DoRealAgree(
+  const std::array<Index, 3>& vertex, const std::array<int, 3>& winding) const
+{
+  int label = -1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (!this->IsVirtual(vertex, axis))
+    {
+      if (winding[axis] < 0 || winding[axis] > 1 || (label >= 0 && label != winding[axis]))
+      {
+        return false;
+      }
+      label = winding[axis];
+    }
+  }
+  return true;
 }
 
 /// The repair of a slice that is overruled at a vertex. REQUIRES: its crossings are not changed
@@ -192,11 +228,11 @@ std::vector<Correction> VertexLabeller::Decide(std::vector<Doubt>& doubts)
     {
       winding[doubts[i].Axis] = doubts[i].Winding;
     }
-    const int label = this->Vote(winding);
     const std::uint64_t nz = this->Tables.Grid.Count(2);
     const std::uint64_t ny = this->Tables.Grid.Count(1);
     const std::array<Index, 3> place{ static_cast<Index>(vertex / nz / ny),
       static_cast<Index>(vertex / nz % ny), static_cast<Index>(vertex % nz) };
+    const int label = this->Vote(place, winding);
     for (int axis = 0; axis < 3; ++axis)
     {
       if (winding[axis] != label)
@@ -204,7 +240,7 @@ std::vector<Correction> VertexLabeller::Decide(std::vector<Doubt>& doubts)
         corrections.push_back({ place, axis, label - winding[axis] });
       }
     }
-    ++this->Vertices;
+    this->Vertices += this->DoRealAgree(place, winding) ? 0 : 1;
   }
   return corrections;
 }
@@ -229,25 +265,17 @@ void VertexLabeller::InsertLoop(const Correction& correction)
   const Step steps[4] = { { true, j + 1, -1 }, { false, i, -1 }, { true, j, 1 },
     { false, i + 1, 1 } };
   const int turn = correction.Amount > 0 ? 1 : -1;
-  const Index first = this->Tables.Crossings.Count();
-  this->Tables.Crossings.Resize(first + 4);
+  GridCrossings& crossings = this->Tables.Crossings;
+  const Index first = crossings.Count();
   for (int s = 0; s < 4; ++s)
   {
-    const Index c = first + s;
     const Step& step = steps[turn > 0 ? s : 3 - s];
     const GridEdge edge =
       step.CrossesU ? GridEdge{ v, slice, i, step.Slab } : GridEdge{ u, j, slice, step.Slab };
-    this->Tables.Crossings.Edge[c] = this->Tables.Code.Encode(edge);
-    this->Tables.Crossings.Position[c] = step.CrossesU ? atV : atU;
-    this->Tables.Crossings.Direction[c] = static_cast<std::int8_t>(turn * step.Direction);
-    this->Tables.Crossings.Family[c] = step.CrossesU ? 0 : 1;
-    this->Tables.Crossings.Next[c] = first + (s + 1) % 4;
-    this->Tables.Crossings.Previous[c] = first + (s + 3) % 4;
-    this->Tables.Crossings.RunContour[c] = GridCrossings::None;
-    this->Tables.Crossings.RunFirst[c] = 0;
-    this->Tables.Crossings.RunCount[c] = 0;
-    this->Tables.Crossings.RunNext[c] = GridCrossings::None;
-    this->Tables.Crossings.ArcLastRun[c] = c;
+    const Index c = crossings.Insert(this->Tables.Code.Encode(edge), step.CrossesU ? atV : atU,
+      turn * step.Direction, step.CrossesU ? 0 : 1);
+    crossings.Next[c] = first + (s + 1) % 4;
+    crossings.Previous[c] = first + (s + 3) % 4;
   }
 }
 
@@ -257,7 +285,10 @@ Index VertexLabeller::Run(std::vector<Repair>& repairs)
   const std::vector<Correction> corrections = this->Decide(doubts);
   for (const Correction& correction : corrections)
   {
-    repairs.push_back(this->Describe(correction));
+    if (!this->IsVirtual(correction.Vertex, correction.Axis))
+    {
+      repairs.push_back(this->Describe(correction));
+    }
   }
   for (const Correction& correction : corrections)
   {
@@ -266,7 +297,7 @@ Index VertexLabeller::Run(std::vector<Repair>& repairs)
       this->InsertLoop(correction);
     }
   }
-  if (this->Vertices > 0)
+  if (!corrections.empty())
   {
     this->Tables.Edges = FileOnEdges(this->Tables.Crossings);
   }

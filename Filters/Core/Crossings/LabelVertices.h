@@ -17,8 +17,11 @@ namespace orthoslices
  * cross themselves, become 0 or 1, too. Into a slice that differs, infinitesimal loops around the
  * vertex are inserted: four crossings at the vertex each.
  *
- * Returns the number of vertices on which the slices did not agree, and appends a repair for each
- * slice that was overruled at one. Where they agree everywhere, nothing is changed.
+ * Of a real slice and virtual ones (see SpatialGrid) only the real one is asked; a virtual one has
+ * the casting vote between two real ones of the same weight, and the majority among virtual ones.
+ *
+ * Returns the number of vertices on which the real slices did not agree, and appends a repair for
+ * each real slice that was overruled at one. Where they agree everywhere, nothing is changed.
  * `background` is the winding number far away.
  */
 Index LabelVertices(const CrossingTables& tables, const AxisWeights& weights, int background,

@@ -70,7 +70,12 @@ SliceAgreement MeasureAgreement(const Contours& contours, const SpatialGrid& gri
   }
   for (Index node = 0; node < nodes.Count(); ++node)
   {
-    const int t = code.Decode(crossings.Edge[nodes.First[node]]).Direction;
+    const GridEdge edge = code.Decode(crossings.Edge[nodes.First[node]]);
+    const int t = edge.Direction;
+    if (!AreReal(grid, edge))
+    {
+      continue;
+    }
     const double* normal = nodeNormals.data() + 3 * static_cast<std::size_t>(node);
     for (const Index crossing : { nodes.First[node], nodes.Second[node] })
     {

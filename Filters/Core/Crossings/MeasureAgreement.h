@@ -23,7 +23,8 @@ struct Agreement
 };
 
 /**
- * Agreement of every contour and of every slice with the orthogonal families.
+ * Agreement of every contour and of every slice with the orthogonal families, real slices with real
+ * ones alone: virtual ones have no node points here.
  *
  * Shift is the translation of a whole slice within its plane that would bring it closest to the
  * others, by least squares over its node points: the disagreement along the edge is explained by

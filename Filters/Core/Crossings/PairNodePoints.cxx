@@ -16,19 +16,35 @@ struct NodesOfEdge
   Index First, Last;
 };
 
+/// The share of the second family in the mean of two crossings.
+double ShareOfSecond(const SpatialGrid& grid, const AxisWeights& weights, const GridEdge& edge)
+{
+  const bool first = IsVirtualSlice(grid, edge, 0);
+  const bool second = IsVirtualSlice(grid, edge, 1);
+  if (first || second)
+  {
+    return first && second ? 0.5 : first ? 1.0 : 0.0;
+  }
+  const double w = weights[SecondAxis(edge.Direction)];
+  const double sum = weights[FirstAxis(edge.Direction)] + w;
+  return sum > 0.0 ? w / sum : 0.5;
+}
+
 /// Places each node at the weighted mean of its two crossings.
 void PlaceAtMeans(const SpatialGrid& grid, const GridCrossings& crossings,
   const AxisWeights& weights, const NodesOfEdge& range, NodePoints& nodes)
 {
   const int t = range.Edge.Direction;
-  const double sum = weights[FirstAxis(t)] + weights[SecondAxis(t)];
-  const double share = sum > 0.0 ? weights[SecondAxis(t)] / sum : 0.5;
+  const double share = ShareOfSecond(grid, weights, range.Edge);
+  const bool areReal = AreReal(grid, range.Edge);
   for (Index node = range.First; node < range.Last; ++node)
   {
     const double low = crossings.Position[nodes.First[node]];
-    const double difference = crossings.Position[nodes.Second[node]] - low;
-    const double mean = low + share * difference;
-    nodes.Difference.push_back(difference);
+    const double high = crossings.Position[nodes.Second[node]];
+    const double difference = high - low;
+    // The sum may miss the position of the second by rounding.
+    const double mean = !areReal && share == 1.0 ? high : low + share * difference;
+    nodes.Difference.push_back(areReal ? difference : 0.0);
     nodes.Position.push_back(grid.MoveInside(t, range.Edge.Slab, mean));
   }
 }

@@ -19,13 +19,15 @@ namespace orthoslices
 struct NodePoints
 {
   std::vector<Index> First, Second;
-  std::vector<double> Position;   ///< along the edge
-  std::vector<double> Difference; ///< position of the second crossing less that of the first
+  std::vector<double> Position; ///< along the edge
+  /// Position of the second crossing less that of the first; 0 where one of them belongs to a
+  /// virtual slice, as that says nothing of the input.
+  std::vector<double> Difference;
   std::vector<Index> NodeOf;
 
   Index Count() const { return static_cast<Index>(this->First.size()); }
 
-  /// Distance of the two crossings of a node.
+  /// Distance of the two crossings of a node; 0 where one belongs to a virtual slice.
   double Disagreement(Index node) const { return std::abs(this->Difference[node]); }
 
   /// The crossing of the other contour at the same node.
@@ -38,7 +40,8 @@ struct NodePoints
 
 /**
  * Pairs the crossings of the two families on every edge in their order along it. A node lies at
- * the mean of its two crossings, weighted by the axes of their slices. Nodes keep the grid's
+ * the mean of its two crossings, weighted by the axes of their slices; of a real and a virtual slice
+ * at the crossing of the real one, of two virtual ones midway. Nodes keep the grid's
  * Margin from the ends of their edge and from each other, less where there are too many of them,
  * so that no two nodes coincide; they are numbered upwards along each edge. REQUIRES: reconciled
  * slices (as many crossings of both families on an edge, with the same signs).

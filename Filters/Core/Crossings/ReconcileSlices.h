@@ -13,10 +13,9 @@ namespace orthoslices
 /// How much the slices contradicted each other.
 struct Reconciliation
 {
-  Index Vertices =
-    0;             ///< vertices of M at which the three slices did not agree on inside or outside
-  Index Edges = 0; ///< edges of M from which unmatched crossings of contours were taken
-  std::vector<Repair> Repairs;
+  Index Vertices = 0; ///< vertices of M at which the real slices did not agree on inside or outside
+  Index Edges = 0;    ///< edges of M from which unmatched crossings of real contours were taken
+  std::vector<Repair> Repairs; ///< of real slices
 };
 
 /**
@@ -28,7 +27,7 @@ struct Reconciliation
  *                  matched, and those are taken out that stay unmatched.
  *
  * Afterwards every edge has the same number of crossings from both families, with alternating
- * signs, in the same order. Slices that agree are left as they are, bit for bit. Arcs that close
+ * signs, in the same order. Virtual slices give way to real ones. Slices that agree are left as they are, bit for bit. Arcs that close
  * by the snipping are appended to tables.Isolated if they have three vertices or more.
  *
  * `background` is the winding number far away: 0, or 1 where the contours bound the outside.

@@ -20,6 +20,22 @@ void GridCrossings::Resize(std::size_t count)
   }
 }
 
+Index GridCrossings::Insert(std::uint64_t edge, double position, int direction, int family)
+{
+  const Index c = this->Count();
+  this->Resize(static_cast<std::size_t>(c) + 1);
+  this->Edge[c] = edge;
+  this->Position[c] = position;
+  this->Direction[c] = static_cast<std::int8_t>(direction);
+  this->Family[c] = static_cast<std::int8_t>(family);
+  this->RunContour[c] = None;
+  this->RunFirst[c] = 0;
+  this->RunCount[c] = 0;
+  this->RunNext[c] = None;
+  this->ArcLastRun[c] = c;
+  return c;
+}
+
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();

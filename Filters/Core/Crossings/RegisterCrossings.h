@@ -42,6 +42,10 @@ struct GridCrossings
   bool IsRemoved(Index crossing) const { return this->Next[crossing] == Removed; }
   void Resize(std::size_t count);
 
+  /// Adds a crossing that belongs to no contour, without a run of vertices; Next and Previous are
+  /// left to the caller. Returns its number.
+  Index Insert(std::uint64_t edge, double position, int direction, int family);
+
   /// 1 if the interior begins here in the direction of the edge, -1 if it ends.
   int Sign(Index crossing) const
   {

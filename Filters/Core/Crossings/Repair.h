@@ -3,9 +3,10 @@
 #ifndef OrthoSlicesRepair_h
 #define OrthoSlicesRepair_h
 
-#include "Core/Base/Types.h"
+#include "Core/Slices/SpatialGrid.h"
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace orthoslices
@@ -42,6 +43,15 @@ inline void RemoveSmallRepairs(double tolerance, std::vector<Repair>& repairs)
 {
   const auto isSmall = [&](const Repair& repair) { return repair.Size <= tolerance; };
   repairs.erase(std::remove_if(repairs.begin(), repairs.end(), isSmall), repairs.end());
+}
+
+/// Appends the repairs that concern the input: not those of virtual slices.
+inline void AppendReal(
+  const std::vector<Repair>& repairs, const SpatialGrid& grid, std::vector<Repair>& all)
+{
+  std::copy_if(repairs.begin(), repairs.end(), std::back_inserter(all),
+    [&](const Repair& repair)
+    { return repair.Axis < 0 || !grid.IsVirtual(repair.Axis, repair.Plane); });
 }
 
 /// Trust in the slices of each axis: not negative, not all zero.

@@ -5,13 +5,24 @@
 #include "Core/Crossings/MatchAlternating.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 namespace orthoslices
 {
 namespace
 {
-/// Matches the crossings on every edge of M, and takes out those that stay unmatched.
+/// The crossings of one family on an edge, in the order of those of the other that they match.
+struct ListOfEdge
+{
+  Index Edge;
+  int Family;
+  std::vector<Index> Crossings;
+};
+
+/// Matches the crossings on every edge of M, and takes out those that stay unmatched, or gives them
+/// to the other slice.
 class EdgeSnipper
 {
 public:
@@ -25,18 +36,28 @@ public:
   Index Run();
 
 private:
+  using Lists = std::array<std::vector<Index>, 2>; ///< crossings of both families on an edge
+  using Pairs = std::vector<std::pair<Index, Index>>;
+
   void MatchEdge(Index edge, int label);
+  void MendEdge(Index edge, const Lists& lists, const Pairs& pairs);
+  Pairs Match(const Lists& lists) const;
+  bool IsVirtual(Index edge, int family) const;
   std::vector<Index> Alternate(Index begin, Index end, int label);
   void SnipUnmatched(const std::vector<Index>& list, const std::vector<std::uint8_t>& matched);
+  void AddMissing(Index edge, int family, const Lists& lists, const Pairs& pairs);
+  void FileCompleted();
   bool IsInserted(Index crossing) const;
   void ReportSnip(Index a, Index b);
   void Snip(Index a, Index b);
+  bool IsOfVirtual(Index crossing) const;
   void JoinArcs(Index incoming, Index outgoing);
   void AddIsolated(Index firstRun);
 
   CrossingTables Tables;
   int Background;
   std::vector<Repair>& Repairs;
+  std::vector<ListOfEdge> Completed; ///< lists that got crossings, which are not filed yet
   Index SnippedEdges = 0;
 };
 
@@ -114,6 +135,13 @@ bool EdgeSnipper::IsInserted(Index crossing) const
   return this->Tables.Crossings.RunContour[crossing] == GridCrossings::None;
 }
 
+/// Whether a crossing belongs to a virtual slice, of which nothing is reported.
+bool EdgeSnipper::IsOfVirtual(Index crossing) const
+{
+  const GridEdge edge = this->Tables.Code.Decode(this->Tables.Crossings.Edge[crossing]);
+  return IsVirtualSlice(this->Tables.Grid, edge, this->Tables.Crossings.Family[crossing]);
+}
+
 void EdgeSnipper::ReportSnip(Index a, Index b)
 {
   const double from = this->Tables.Crossings.Position[a];
@@ -132,7 +160,7 @@ void EdgeSnipper::ReportSnip(Index a, Index b)
 /// goes on from the other.
 void EdgeSnipper::Snip(Index a, Index b)
 {
-  if (!this->IsInserted(a) || !this->IsInserted(b))
+  if ((!this->IsInserted(a) || !this->IsInserted(b)) && !this->IsOfVirtual(a))
   {
     this->ReportSnip(a, b);
   }
@@ -156,6 +184,103 @@ void EdgeSnipper::SnipUnmatched(
   }
 }
 
+/**
+ * Completes the crossings of `family`, a virtual slice, by those that only the real one has. These
+ * are pairs of neighbours: each becomes a loop around the part of the edge between them, of two arcs
+ * without vertices, one in each of the two faces beside it. Their positions are those of the real
+ * ones, but stay ascending among those that the virtual slice has.
+ */
+void EdgeSnipper::AddMissing(Index edge, int family, const Lists& lists, const Pairs& pairs)
+{
+  GridCrossings& crossings = this->Tables.Crossings;
+  ListOfEdge completed{ edge, family, {} };
+  auto next = pairs.begin();
+  double low = -HUGE_VAL;
+  Index open = GridCrossings::None; // the first of two neighbours
+  for (const Index real : lists[1 - family])
+  {
+    const bool isPast = next == pairs.end();
+    const Index match =
+      isPast ? GridCrossings::None : lists[family][family == 0 ? next->first : next->second];
+    if (!isPast && lists[1 - family][family == 0 ? next->second : next->first] == real)
+    {
+      completed.Crossings.push_back(match);
+      low = crossings.Position[match];
+      ++next;
+      continue;
+    }
+    const double high = isPast ? HUGE_VAL : crossings.Position[match];
+    low = std::min(std::max(crossings.Position[real], low), high);
+    const int sign = crossings.Sign(real);
+    const Index c = crossings.Insert(crossings.Edge[real], low, family == 0 ? sign : -sign, family);
+    completed.Crossings.push_back(c);
+    if (open != GridCrossings::None)
+    {
+      crossings.Next[open] = crossings.Previous[open] = c;
+      crossings.Next[c] = crossings.Previous[c] = open;
+    }
+    open = open == GridCrossings::None ? c : GridCrossings::None;
+  }
+  this->Completed.push_back(std::move(completed));
+}
+
+/// Files the completed lists on their edges, which are ascending.
+void EdgeSnipper::FileCompleted()
+{
+  if (this->Completed.empty())
+  {
+    return;
+  }
+  const EdgeRegister& edges = this->Tables.Edges;
+  EdgeRegister filed;
+  auto next = this->Completed.begin();
+  for (Index edge = 0; edge < edges.Count(); ++edge)
+  {
+    const bool isCompleted = next != this->Completed.end() && next->Edge == edge;
+    const auto copyFiled = [&](int family)
+    {
+      std::copy_if(edges.Crossing.begin() + edges.Offsets[edge],
+        edges.Crossing.begin() + edges.Offsets[edge + 1], std::back_inserter(filed.Crossing),
+        [&](Index c) { return this->Tables.Crossings.Family[c] == family; });
+    };
+    for (int family = 0; family < 2; ++family)
+    {
+      if (isCompleted && next->Family == family)
+      {
+        filed.Crossing.insert(filed.Crossing.end(), next->Crossings.begin(), next->Crossings.end());
+      }
+      else
+      {
+        copyFiled(family);
+      }
+    }
+    filed.Offsets.push_back(static_cast<Index>(filed.Crossing.size()));
+    next += isCompleted ? 1 : 0;
+  }
+  this->Tables.Edges = std::move(filed);
+}
+
+/// Whether the slice of a family at an edge is virtual.
+bool EdgeSnipper::IsVirtual(Index edge, int family) const
+{
+  return IsVirtualSlice(this->Tables.Grid, this->Tables.EdgeOf(edge), family);
+}
+
+EdgeSnipper::Pairs EdgeSnipper::Match(const Lists& lists) const
+{
+  std::array<std::vector<double>, 2> positions;
+  for (int family = 0; family < 2; ++family)
+  {
+    for (const Index c : lists[family])
+    {
+      positions[family].push_back(this->Tables.Crossings.Position[c]);
+    }
+  }
+  Pairs pairs;
+  MatchAlternating(positions[0], positions[1], pairs);
+  return pairs;
+}
+
 /// Makes the crossings of both families on an edge the same in number and signs. `label` is that of
 /// its lower end.
 void EdgeSnipper::MatchEdge(Index edge, int label)
@@ -171,34 +296,41 @@ void EdgeSnipper::MatchEdge(Index edge, int label)
   {
     return;
   }
-  const std::vector<Index> lists[2] = { this->Alternate(begin, middle, label),
-    this->Alternate(middle, end, label) };
+  const Lists lists{ this->Alternate(begin, middle, label), this->Alternate(middle, end, label) };
   std::copy(lists[0].begin(), lists[0].end(), this->Tables.Edges.Crossing.begin() + begin);
   std::copy(lists[1].begin(), lists[1].end(), this->Tables.Edges.Crossing.begin() + middle);
-  std::vector<double> positions[2];
-  std::vector<std::uint8_t> matched[2];
-  for (int family = 0; family < 2; ++family)
+  const Pairs pairs = this->Match(lists);
+  if (2 * pairs.size() < static_cast<std::size_t>(end - begin))
   {
-    for (const Index c : lists[family])
-    {
-      positions[family].push_back(this->Tables.Crossings.Position[c]);
-    }
-    matched[family].assign(lists[family].size(), 0);
+    this->MendEdge(edge, lists, pairs);
   }
-  std::vector<std::pair<Index, Index>> pairs;
-  MatchAlternating(positions[0], positions[1], pairs);
+}
+
+/// Takes out what is unmatched on an edge, but gives what only a real slice has to a virtual one.
+void EdgeSnipper::MendEdge(Index edge, const Lists& lists, const Pairs& pairs)
+{
+  std::vector<std::uint8_t> matched[2];
+  matched[0].assign(lists[0].size(), 0);
+  matched[1].assign(lists[1].size(), 0);
   for (const auto& pair : pairs)
   {
     matched[0][pair.first] = 1;
     matched[1][pair.second] = 1;
   }
-  if (2 * pairs.size() < static_cast<std::size_t>(end - begin))
+  const bool isVirtual[2] = { this->IsVirtual(edge, 0), this->IsVirtual(edge, 1) };
+  const std::size_t reported = this->Repairs.size();
+  for (int family = 0; family < 2; ++family)
   {
-    const std::size_t reported = this->Repairs.size();
-    this->SnipUnmatched(lists[0], matched[0]);
-    this->SnipUnmatched(lists[1], matched[1]);
-    this->SnippedEdges += this->Repairs.size() > reported ? 1 : 0;
+    if (isVirtual[family] || !isVirtual[1 - family])
+    {
+      this->SnipUnmatched(lists[family], matched[family]);
+    }
+    else if (pairs.size() < lists[family].size())
+    {
+      this->AddMissing(edge, 1 - family, lists, pairs);
+    }
   }
+  this->SnippedEdges += this->Repairs.size() > reported ? 1 : 0;
 }
 
 /// Follows the label, which is now the same for both families, along every grid line.
@@ -215,6 +347,7 @@ Index EdgeSnipper::Run()
     label += change;
     previous = edge;
   }
+  this->FileCompleted();
   return this->SnippedEdges;
 }
 }

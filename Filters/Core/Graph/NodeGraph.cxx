@@ -110,16 +110,21 @@ Index GraphBuilder::CountPoints(Index arc) const
   return count;
 }
 
-/// How far the node lies from the crossing of this contour; zero within the tolerance.
+/// How far the node lies from the crossing of this contour; zero within the tolerance, and where a
+/// real slice meets a virtual one.
 EndShift GraphBuilder::Displacement(Index crossing) const
 {
   const Index node = this->Nodes.NodeOf[crossing];
   EndShift shift;
-  if (this->Nodes.Disagreement(node) <= this->Tolerance)
+  const GridEdge edge = this->Code.Decode(this->Crossings.Edge[crossing]);
+  const bool isVirtual = IsVirtualSlice(this->Grid, edge, this->Crossings.Family[crossing]);
+  const double disagreement = isVirtual
+    ? std::abs(this->Nodes.Position[node] - this->Crossings.Position[crossing])
+    : this->Nodes.Disagreement(node);
+  if (disagreement <= this->Tolerance)
   {
     return shift;
   }
-  const GridEdge edge = this->Code.Decode(this->Crossings.Edge[crossing]);
   shift.Axis = edge.Direction;
   shift.From = this->Crossings.Position[crossing];
   shift.Amount = this->Nodes.Position[node] - shift.From;

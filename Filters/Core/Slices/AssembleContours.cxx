@@ -50,7 +50,7 @@ private:
 
   void AddVertices(Index piece, bool forward);
   void AddVertex(Index vertex);
-  void FinishContour(std::int64_t cell);
+  void FinishContour(Index piece);
   void Report(ProblemKind kind, std::int64_t cell, Index vertex);
 
   const Pieces& Input;
@@ -312,8 +312,10 @@ void Assembler::AddVertex(Index vertex)
   }
 }
 
-void Assembler::FinishContour(std::int64_t cell)
+/// Ends the contour, which is named after one of its pieces.
+void Assembler::FinishContour(Index piece)
 {
+  const std::int64_t cell = this->Input.Cell[piece];
   Contours& out = this->Output;
   const std::size_t begin = out.Offsets.back();
   while (out.U.size() > begin + 1 && out.U.back() == out.U[begin] && out.V.back() == out.V[begin])
@@ -335,6 +337,11 @@ void Assembler::FinishContour(std::int64_t cell)
   out.Axis.push_back(static_cast<std::int8_t>(this->Input.Axis));
   out.Coordinate.push_back(this->CurrentW);
   out.Cell.push_back(cell);
+  if (!this->Input.Virtual.empty() || !out.Virtual.empty())
+  {
+    out.Virtual.resize(out.Axis.size(), 0);
+    out.Virtual.back() = this->Input.IsVirtual(piece) ? 1 : 0;
+  }
 }
 
 /// Follows the links from a piece until they return to it, or to a loose end.
@@ -363,7 +370,7 @@ void Assembler::FollowFrom(Index piece)
   }
   if (!open)
   {
-    this->FinishContour(this->Input.Cell[piece]);
+    this->FinishContour(piece);
   }
 }
 
@@ -386,7 +393,7 @@ void Assembler::Run()
     if (this->Input.Closed[piece] || (alone && this->ClosesItself(piece)))
     {
       this->AddVertices(piece, true);
-      this->FinishContour(this->Input.Cell[piece]);
+      this->FinishContour(piece);
     }
     else
     {

@@ -47,6 +47,7 @@ public:
   {
   }
 
+  void RemoveVirtual(const Slice& slice);
   void RemoveCopies(const Slice& slice);
   void FindCrossing(const Slice& slice);
   void OrientByNesting(const Slice& slice);
@@ -115,6 +116,15 @@ bool SliceOrienter::IsCopy(Index a, Index b) const
     backward = backward && same(i, -1);
   }
   return forward || backward;
+}
+
+/// Contours of a virtual plane that has become one with a real one are not those of the slice.
+void SliceOrienter::RemoveVirtual(const Slice& slice)
+{
+  for (const Index contour : slice)
+  {
+    this->Removed[contour] = this->Set.IsVirtual(contour) ? 1 : 0;
+  }
 }
 
 void SliceOrienter::RemoveCopies(const Slice& slice)
@@ -233,6 +243,10 @@ void RemoveMarked(const std::vector<std::uint8_t>& marked, Contours& contours)
     kept.Coordinate.push_back(contours.Coordinate[i]);
     kept.Plane.push_back(contours.Plane[i]);
     kept.Cell.push_back(contours.Cell[i]);
+    if (!contours.Virtual.empty())
+    {
+      kept.Virtual.push_back(contours.Virtual[i]);
+    }
   }
   contours = std::move(kept);
 }
@@ -258,7 +272,7 @@ bool BoundOutside(const Contours& contours)
   double area = 0.0;
   for (Index contour = 0; contour < contours.Count(); ++contour)
   {
-    area += TwiceSignedArea(contours, contour);
+    area += contours.IsVirtual(contour) ? 0.0 : TwiceSignedArea(contours, contour);
   }
   return area < 0.0;
 }
@@ -274,7 +288,13 @@ void OrientContours(Orientation orientation, bool keepCrossing, const Execution&
     {
       for (std::size_t i = begin; i < end; ++i)
       {
+        const auto isVirtual = [&](Index contour) { return contours.IsVirtual(contour); };
+        if (std::all_of(slices[i].begin(), slices[i].end(), isVirtual))
+        {
+          continue;
+        }
         SliceOrienter orienter(contours, removed, keepCrossing, found[i]);
+        orienter.RemoveVirtual(slices[i]);
         orienter.RemoveCopies(slices[i]);
         orienter.FindCrossing(slices[i]);
         if (orientation == Orientation::ByNesting)

@@ -54,7 +54,9 @@ void SmoothContours(const SpatialGrid& grid, double length, double cornerAngle,
         {
           vertices.push_back({ contours.U[v], contours.V[v] });
         }
-        smoothed[i] = Smooth(grid, length, cornerAngle, contours.Axis[i], std::move(vertices));
+        smoothed[i] = contours.IsVirtual(static_cast<Index>(i))
+          ? std::move(vertices)
+          : Smooth(grid, length, cornerAngle, contours.Axis[i], std::move(vertices));
       }
     });
   contours.U.clear();

@@ -4,7 +4,9 @@
 
 #include "Core/Base/Box.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace orthoslices
@@ -51,20 +53,6 @@ void SpatialGrid::GetExtent(
   }
   low = slab > 0 ? planes[slab - 1] : this->Round(minimum - beyond);
   high = slab < this->Count(axis) ? planes[slab] : this->Round(maximum + beyond);
-}
-
-double SpacingAtEnds(const SpatialGrid& grid, int axis)
-{
-  if (grid.Count(axis) > 1)
-  {
-    return grid.MeanSpacing(axis);
-  }
-  double spacing = 0.5 * grid.Extent[axis];
-  for (const int other : { FirstAxis(axis), SecondAxis(axis) })
-  {
-    spacing = grid.Count(other) > 1 ? std::min(spacing, grid.MeanSpacing(other)) : spacing;
-  }
-  return std::max(spacing, MinDistanceOfPlanes * grid.Step[axis]);
 }
 
 double MinMeanSpacing(const SpatialGrid& grid)
@@ -116,26 +104,49 @@ namespace
 {
 /// Contours [first, last) of the sorted list become one plane.
 void MergePlane(Contours& contours, const std::vector<Index>& order, std::size_t first,
-  std::size_t last, std::vector<double>& planes, const SpatialGrid& grid)
+  std::size_t last, int axis, SpatialGrid& grid)
 {
-  const double coordinate = grid.Round(contours.Coordinate[order[first + (last - first) / 2]]);
+  std::vector<double>& planes = grid.Planes[axis];
+  std::vector<Index> real;
+  std::copy_if(order.begin() + first, order.begin() + last, std::back_inserter(real),
+    [&](Index contour) { return !contours.IsVirtual(contour); });
+  const Index median = real.empty() ? order[first + (last - first) / 2] : real[real.size() / 2];
+  const double coordinate = grid.Round(contours.Coordinate[median]);
   for (std::size_t i = first; i < last; ++i)
   {
     contours.Coordinate[order[i]] = coordinate;
     contours.Plane[order[i]] = static_cast<Index>(planes.size());
   }
   planes.push_back(coordinate);
+  grid.Virtual[axis].push_back(real.empty() ? 1 : 0);
+}
+
+/// No flags say the same as flags of nothing but real planes.
+void DropFlagsOfReal(SpatialGrid& grid)
+{
+  for (const auto& flags : grid.Virtual)
+  {
+    if (std::find(flags.begin(), flags.end(), 1) != flags.end())
+    {
+      return;
+    }
+  }
+  grid.Virtual = {};
 }
 }
 
 namespace
 {
-/// The box around all contours.
-Box3 FindBox(const Contours& contours)
+/// The box around all contours, or around those of real planes.
+Box3 FindBox(const Contours& contours, bool withVirtual)
 {
   Box3 box;
   for (Index i = 0; i < contours.Count(); ++i)
   {
+    if (!withVirtual && contours.IsVirtual(i))
+    {
+      continue;
+    }
     const int axis = contours.Axis[i];
     box.Add(axis, contours.Coordinate[i]);
     for (Index v = contours.Offsets[i]; v < contours.Offsets[i + 1]; ++v)
@@ -174,12 +185,53 @@ double RoundInwards(const SpatialGrid& grid, double x, double outwards)
                   : rounded;
 }
 
-/// Sets the bounds of the surface. REQUIRES: the planes are known.
-void SetBounds(const Box3& box, SpatialGrid& grid)
+/// Mean distance of the real planes of an axis; infinite if there are fewer than two.
+double MeanSpacingOfReal(const SpatialGrid& grid, int axis)
 {
+  std::vector<double> real;
+  for (Index i = 0; i < grid.Count(axis); ++i)
+  {
+    if (!grid.IsVirtual(axis, i))
+    {
+      real.push_back(grid.Planes[axis][i]);
+    }
+  }
+  return real.size() < 2 ? HUGE_VAL : (real.back() - real.front()) / (real.size() - 1.0);
+}
+
+/// Sets how far apart slices are at the ends of the object. REQUIRES: a box around real contours.
+void SetSpacingAtEnds(const Box3& box, SpatialGrid& grid)
+{
+  Point3 mean, extent;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double beyond = 0.5 * SpacingAtEnds(grid, axis);
+    mean[axis] = MeanSpacingOfReal(grid, axis);
+    extent[axis] = box.High[axis] - box.Low[axis];
+  }
+  const double longest = *std::max_element(extent.begin(), extent.end());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double spacing = mean[axis];
+    if (!std::isfinite(spacing))
+    {
+      spacing = std::min(0.5 * (extent[axis] > 0.0 ? extent[axis] : longest),
+        *std::min_element(mean.begin(), mean.end()));
+    }
+    grid.SpacingAtEnds[axis] = std::max(spacing, MinDistanceOfPlanes * grid.Step[axis]);
+  }
+}
+
+/// Sets the bounds of the surface, if there are real contours. REQUIRES: the planes are known.
+void SetBounds(const Box3& box, SpatialGrid& grid)
+{
+  if (!(box.Low[0] <= box.High[0]))
+  {
+    return;
+  }
+  SetSpacingAtEnds(box, grid);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double beyond = 0.5 * grid.SpacingAtEnds[axis];
     grid.Lowest[axis] = RoundInwards(grid, box.Low[axis] - beyond, -HUGE_VAL);
     grid.Highest[axis] = RoundInwards(grid, box.High[axis] + beyond, HUGE_VAL);
   }
@@ -190,7 +242,7 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
 {
   SpatialGrid grid;
   grid.SinglePrecision = singlePrecision;
-  const Box3 box = FindBox(contours);
+  const Box3 box = FindBox(contours, true);
   if (contours.Count() > 0)
   {
     FindExtent(box, grid);
@@ -215,15 +267,13 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
       if (i == order.size() ||
         contours.Coordinate[order[i]] - contours.Coordinate[order[first]] > reach)
       {
-        MergePlane(contours, order, first, i, grid.Planes[axis], grid);
+        MergePlane(contours, order, first, i, axis, grid);
         first = i;
       }
     }
   }
-  if (contours.Count() > 0)
-  {
-    SetBounds(box, grid);
-  }
+  DropFlagsOfReal(grid);
+  SetBounds(FindBox(contours, false), grid);
   return grid;
 }
 }

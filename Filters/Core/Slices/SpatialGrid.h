@@ -21,12 +21,18 @@ namespace orthoslices
  * why no singular cases exist (contours through grid edges, vertices on planes, collinear
  * segments).
  *
+ * A plane is *real* if the input has contours on it, and *virtual* if it was added, with contours of
+ * a surface that fills the gaps between the real ones. Where a real and a virtual slice contradict
+ * each other, the real one is right.
+ *
  * An *edge* of M runs along axis t on the intersection of plane i of FirstAxis(t) with plane j of
  * SecondAxis(t), within slab k of t. All edges with the same t, i, j form a *grid line*.
  */
 struct SpatialGrid
 {
   std::array<std::vector<double>, 3> Planes;
+  /// For each plane, 1 if it is virtual; empty if all planes of all axes are real.
+  std::array<std::vector<std::uint8_t>, 3> Virtual;
   /// All coordinates of the result, planes included, are values of float.
   bool SinglePrecision = false;
   /// Distance of neighbouring numbers of the precision at the largest coordinate of each axis.
@@ -34,13 +40,33 @@ struct SpatialGrid
   /// Length of the box around all contours along each axis; where it is zero, the greatest of the
   /// three.
   Point3 Extent{ 0.0, 0.0, 0.0 };
-  /// The bounds of the surface, values of the precision: the box around all contours, widened by
-  /// half of SpacingAtEnds on each side. All points that are placed in a cell lie within them.
-  /// Without contours there are none.
+  /**
+   * How far apart slices are at the ends of the object: the mean spacing of the axis' real planes.
+   * An axis with fewer than two of them takes the least of those of the other axes, which tells how
+   * fine the object is sampled, but no more than half the extent of the contours along it (where
+   * that is zero, of their greatest extent), which is what one plane in the middle leaves on each
+   * side. Never less than planes are apart at least, 256 steps of the precision, so that there is
+   * room for what lies beyond the outermost ones.
+   */
+  Point3 SpacingAtEnds{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
+  /// The bounds of the surface, values of the precision: the box around all contours of real planes,
+  /// widened by half of SpacingAtEnds on each side. All points that are placed in a cell lie within
+  /// them. Without contours there are none.
   Point3 Lowest{ -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
   Point3 Highest{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
 
   Index Count(int axis) const { return static_cast<Index>(this->Planes[axis].size()); }
+
+  bool IsVirtual(int axis, Index plane) const
+  {
+    return !this->Virtual[axis].empty() && this->Virtual[axis][plane] != 0;
+  }
+
+  /// Whether any plane is virtual.
+  bool HasVirtual() const
+  {
+    return !this->Virtual[0].empty() || !this->Virtual[1].empty() || !this->Virtual[2].empty();
+  }
 
   /// Number of a slice among those of all axes, x before y before z. That of z-slice Count(2), which
   /// there is not, is how many there are.
@@ -145,15 +171,6 @@ struct SpatialGrid
   }
 };
 
-/**
- * How far apart slices across an axis are at the ends of the object: the mean spacing of its planes.
- * An axis with fewer than two planes takes the least mean spacing of the other axes, which tells how
- * fine the object is sampled, but no more than half the extent of the contours along it, which is
- * what one plane in the middle leaves on each side. Never less than planes are apart at least, 256
- * steps of the precision, so that there is room for what lies beyond the outermost ones.
- */
-double SpacingAtEnds(const SpatialGrid& grid, int axis);
-
 /// The least mean spacing of the planes of an axis, of those that have two or more of them.
 double MinMeanSpacing(const SpatialGrid& grid);
 
@@ -177,6 +194,20 @@ struct GridEdge
   Index Second; ///< plane of SecondAxis(Direction)
   Index Slab;   ///< slab of Direction
 };
+
+/// Whether the slice of a family at an edge of M is virtual: family 0 is the slice of
+/// FirstAxis(Direction), family 1 that of SecondAxis(Direction).
+inline bool IsVirtualSlice(const SpatialGrid& grid, const GridEdge& edge, int family)
+{
+  return family == 0 ? grid.IsVirtual(FirstAxis(edge.Direction), edge.First)
+                     : grid.IsVirtual(SecondAxis(edge.Direction), edge.Second);
+}
+
+/// Whether both slices at an edge of M are real, so that it counts what they disagree on.
+inline bool AreReal(const SpatialGrid& grid, const GridEdge& edge)
+{
+  return !IsVirtualSlice(grid, edge, 0) && !IsVirtualSlice(grid, edge, 1);
+}
 
 /// Packs the edges of a grid into one number, ascending along each grid line.
 class GridEdgeCode
@@ -202,7 +233,8 @@ private:
 /**
  * Finds the planes of all contours and sets Contours::Plane. Planes closer than `tolerance`, or
  * than a few dozen steps of the precision, to the first of a group become one at the median
- * coordinate of the group's contours; the contours move onto it. Sets the bounds of the surface.
+ * coordinate of the group's contours; the contours move onto it. A plane is virtual if all of its
+ * contours are; otherwise these have no say in its coordinate. Sets the bounds of the surface.
  */
 SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePrecision = false);
 }

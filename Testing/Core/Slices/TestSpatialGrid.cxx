@@ -226,7 +226,7 @@ TEST(SpatialGrid, BoundsInSinglePrecisionAreFloatsWithinTheExactOnes)
     EXPECT_EQ(single.Highest[axis], static_cast<float>(single.Highest[axis]));
     EXPECT_NEAR(single.Lowest[axis], exact.Lowest[axis], 2.0 * single.Step[axis]);
     EXPECT_NEAR(single.Highest[axis], exact.Highest[axis], 2.0 * single.Step[axis]);
-    const double beyond = 0.5 * SpacingAtEnds(single, axis);
+    const double beyond = 0.5 * single.SpacingAtEnds[axis];
     EXPECT_GE(single.Lowest[axis], std::min(-1.0, single.Planes[axis].front()) - beyond);
     EXPECT_LE(single.Highest[axis], std::max(1.0, single.Planes[axis].back()) + beyond);
   }

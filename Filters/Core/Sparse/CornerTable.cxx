@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Sparse/CornerTable.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace orthoslices
+{
+CornerTable::CornerTable(Index points, const std::vector<std::array<Index, 3>>& triangles)
+  : Vertex(3 * triangles.size())
+  , Opposite(3 * triangles.size(), -1)
+  , Curve(3 * triangles.size(), 0)
+  , Corner(static_cast<std::size_t>(points), -1)
+{
+  std::vector<std::pair<std::uint64_t, Index>> edges(this->Vertex.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    this->SetTriangle(static_cast<Index>(t), triangles[t][0], triangles[t][1], triangles[t][2]);
+  }
+  for (Index corner = 0; corner < this->CornerCount(); ++corner)
+  {
+    const std::uint64_t low = std::min(this->StartOf(corner), this->EndOf(corner));
+    const std::uint64_t high = std::max(this->StartOf(corner), this->EndOf(corner));
+    edges[corner] = { low << 32 | high, corner };
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i + 1 < edges.size(); i += 2)
+  {
+    this->Link(edges[i].second, edges[i + 1].second);
+  }
+}
+
+void CornerTable::Link(Index corner, Index opposite)
+{
+  this->Opposite[corner] = opposite;
+  this->Opposite[opposite] = corner;
+}
+
+void CornerTable::SetTriangle(Index triangle, Index a, Index b, Index c)
+{
+  const std::array<Index, 3> vertices{ a, b, c };
+  for (Index i = 0; i < 3; ++i)
+  {
+    this->Vertex[3 * triangle + i] = vertices[i];
+    this->Corner[vertices[i]] = 3 * triangle + i;
+  }
+}
+
+void CornerTable::MarkCurve(Index corner)
+{
+  this->Curve[corner] = 1;
+  this->Curve[this->Opposite[corner]] = 1;
+}
+
+Index CornerTable::Valence(Index vertex) const
+{
+  Index count = 0;
+  this->ForCornersAt(vertex, [&](Index) { ++count; });
+  return count;
+}
+
+Index CornerTable::FindEdge(Index from, Index to) const
+{
+  Index found = -1;
+  // The triangle of each corner at `from` has the edge from there to the next vertex.
+  this->ForCornersAt(from,
+    [&](Index corner)
+    {
+      if (this->Vertex[Next(corner)] == to)
+      {
+        found = Previous(corner);
+      }
+    });
+  return found;
+}
+
+Index CornerTable::CountCurves(Index vertex) const
+{
+  Index count = 0;
+  this->ForCornersAt(vertex, [&](Index corner) { count += this->Curve[Previous(corner)]; });
+  return count;
+}
+
+bool CornerTable::CanCollapse(Index corner) const
+{
+  const Index start = this->StartOf(corner);
+  const Index end = this->EndOf(corner);
+  const Index curves = this->CountCurves(start);
+  if (curves > 0 && !(curves == 2 && this->IsCurve(corner)))
+  {
+    return false;
+  }
+  for (const Index at : { corner, this->Opposite[corner] })
+  {
+    if (this->IsCurve(Next(at)) && this->IsCurve(Previous(at)))
+    {
+      return false; // two curves would become one
+    }
+  }
+  Index common = 0;
+  Index valence = 0;
+  this->ForCornersAt(start,
+    [&](Index at)
+    {
+      ++valence;
+      const Index neighbor = this->Vertex[Next(at)];
+      common += neighbor != end && this->FindEdge(neighbor, end) >= 0 ? 1 : 0;
+    });
+  return common == 2 && valence + this->Valence(end) > 7;
+}
+
+void CornerTable::Collapse(Index corner)
+{
+  const Index start = this->StartOf(corner);
+  const Index end = this->EndOf(corner);
+  const Index across = this->Opposite[corner];
+  std::vector<Index> moving;
+  this->ForCornersAt(start, [&](Index at) { moving.push_back(at); });
+  for (const Index at : moving)
+  {
+    this->Vertex[at] = end;
+  }
+  this->Corner[start] = -1;
+  for (const Index gone : { corner, across })
+  {
+    // The two other edges of a triangle that vanishes become one.
+    const Index one = this->Opposite[Next(gone)];
+    const Index other = this->Opposite[Previous(gone)];
+    this->Link(one, other);
+    const std::uint8_t curve = this->Curve[one] | this->Curve[other];
+    this->Curve[one] = this->Curve[other] = curve;
+    this->Corner[this->Vertex[gone]] = Next(one);
+    this->Corner[end] = Previous(one);
+  }
+  for (const Index gone : { corner, across })
+  {
+    for (const Index dead : { gone, Next(gone), Previous(gone) })
+    {
+      this->Vertex[dead] = -1;
+    }
+  }
+}
+
+bool CornerTable::CanFlip(Index corner) const
+{
+  const Index across = this->Opposite[corner];
+  return !this->IsCurve(corner) && this->Valence(this->StartOf(corner)) > 3 &&
+    this->Valence(this->EndOf(corner)) > 3 &&
+    this->FindEdge(this->Vertex[corner], this->Vertex[across]) < 0;
+}
+
+void CornerTable::Flip(Index corner)
+{
+  // Triangles (a, b, c) and (b, a, d) become (a, d, c) and (d, b, c).
+  const Index across = this->Opposite[corner];
+  const Index c = this->Vertex[corner];
+  const Index d = this->Vertex[across];
+  const Index a = this->StartOf(corner);
+  const Index b = this->EndOf(corner);
+  const Index overB = Next(corner);      // at a, edge b c
+  const Index overA = Previous(corner);  // at b, edge c a
+  const Index acrossA = Next(across);    // at b, edge a d
+  const Index acrossB = Previous(across); // at a, edge d b
+  struct Side
+  {
+    Index Opposite;
+    std::uint8_t Curve;
+  };
+  const auto sideOf = [&](Index at) { return Side{ this->Opposite[at], this->Curve[at] }; };
+  const Side bc = sideOf(overB), ca = sideOf(overA), ad = sideOf(acrossA), db = sideOf(acrossB);
+  const Index first = corner / 3;
+  const Index second = across / 3;
+  this->SetTriangle(first, a, d, c);
+  this->SetTriangle(second, d, b, c);
+  const auto attach = [&](Index at, const Side& side)
+  {
+    this->Link(at, side.Opposite);
+    this->Curve[at] = side.Curve;
+  };
+  attach(3 * first + 2, ad);
+  attach(3 * first + 1, ca);
+  attach(3 * second, bc);
+  attach(3 * second + 2, db);
+  this->Link(3 * first, 3 * second + 1);
+  this->Curve[3 * first] = this->Curve[3 * second + 1] = 0;
+}
+
+Index CornerTable::Split(Index corner)
+{
+  // (a, b, c) and (b, a, d) become (m, b, c), (a, m, c), (b, m, d) and (m, a, d).
+  const Index across = this->Opposite[corner];
+  const Index a = this->StartOf(corner);
+  const Index c = this->Vertex[corner];
+  const Index d = this->Vertex[across];
+  const Index middle = this->PointCount();
+  const Index overB = this->Opposite[Previous(corner)]; // edge c a
+  const Index overD = this->Opposite[Next(across)];     // edge a d
+  const std::uint8_t curveB = this->Curve[Previous(corner)];
+  const std::uint8_t curveD = this->Curve[Next(across)];
+  const std::uint8_t curve = this->Curve[corner];
+  const Index upper = this->CornerCount() / 3;
+  const Index lower = upper + 1;
+  this->Corner.push_back(-1);
+  this->Vertex.resize(this->Vertex.size() + 6);
+  this->Opposite.resize(this->Opposite.size() + 6, -1);
+  this->Curve.resize(this->Curve.size() + 6, 0);
+  this->Vertex[Next(corner)] = middle;
+  this->Vertex[Previous(across)] = middle;
+  this->SetTriangle(upper, a, middle, c);
+  this->SetTriangle(lower, middle, a, d);
+  this->Corner[middle] = Next(corner);
+  this->Link(3 * upper + 1, overB);
+  this->Curve[3 * upper + 1] = curveB;
+  this->Link(3 * lower, overD);
+  this->Curve[3 * lower] = curveD;
+  this->Link(3 * upper, Previous(corner));
+  this->Curve[3 * upper] = this->Curve[Previous(corner)] = 0;
+  this->Link(3 * lower + 1, Next(across));
+  this->Curve[3 * lower + 1] = this->Curve[Next(across)] = 0;
+  this->Link(3 * upper + 2, 3 * lower + 2);
+  this->Curve[3 * upper + 2] = this->Curve[3 * lower + 2] = curve;
+  return middle;
+}
+
+std::vector<std::array<Index, 3>> CornerTable::ListTriangles() const
+{
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index corner = 0; corner < this->CornerCount(); corner += 3)
+  {
+    if (this->IsAlive(corner))
+    {
+      triangles.push_back({ this->Vertex[corner], this->Vertex[corner + 1], this->Vertex[corner + 2] });
+    }
+  }
+  return triangles;
+}
+}

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Sparse/FairSurface.h"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthoslices
+{
+namespace
+{
+using Matrix = Eigen::SparseMatrix<double>;
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+struct Operator
+{
+  Matrix Laplacian;        ///< square; rows of unused points are empty
+  std::vector<double> Area; ///< of each point
+};
+
+/// Weight of the edge of a corner, as seen from its triangle.
+double HalfWeight(const SurfaceMesh& mesh, Index corner)
+{
+  const Point3& apex = mesh.Points[mesh.Corners.VertexOf(corner)];
+  const Point3 u = mesh.Points[mesh.Corners.StartOf(corner)] - apex;
+  const Point3 v = mesh.Points[mesh.Corners.EndOf(corner)] - apex;
+  const double area = Length(Cross(u, v));
+  // Angles of less than 3 degrees say nothing about the surface.
+  constexpr double largest = 20.0;
+  const double scale = std::max(area, 1e-300);
+  return std::clamp(0.5 * Dot(u, v) / scale, -largest, largest);
+}
+
+Operator MakeOperator(EdgeWeights weights, const SurfaceMesh& mesh)
+{
+  const CornerTable& corners = mesh.Corners;
+  const Index points = corners.PointCount();
+  Operator result{ Matrix(points, points), std::vector<double>(points, 0.0) };
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<double> sum(points, 0.0);
+  for (Index corner = 0; corner < corners.CornerCount(); ++corner)
+  {
+    if (!corners.IsAlive(corner))
+    {
+      continue;
+    }
+    const Index a = corners.StartOf(corner);
+    const Index b = corners.EndOf(corner);
+    const bool uniform = weights == EdgeWeights::Uniform;
+    const double weight = uniform ? 0.5 : HalfWeight(mesh, corner);
+    for (const auto& [row, column] : { std::pair(a, b), std::pair(b, a) })
+    {
+      entries.emplace_back(row, column, weight);
+      sum[row] -= weight;
+    }
+    const Index c = corners.VertexOf(corner);
+    const Point3 normal =
+      Cross(mesh.Points[a] - mesh.Points[c], mesh.Points[b] - mesh.Points[c]);
+    result.Area[c] += uniform ? 1.0 : Length(normal) / 6.0;
+  }
+  for (Index point = 0; point < points; ++point)
+  {
+    entries.emplace_back(point, point, sum[point]);
+  }
+  result.Laplacian.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+/// Least bending where the points with `place` >= 0 are free, numbered by their place.
+bool Solve(const Operator& bending, const std::vector<Index>& place, Index freePoints,
+  std::vector<Point3>& points)
+{
+  // Columns of free points, and what the others add to each row.
+  const Index count = static_cast<Index>(points.size());
+  Matrix free(count, freePoints);
+  Columns given = Columns::Zero(count, 3);
+  std::vector<Eigen::Triplet<double>> entries;
+  double total = 0.0;
+  for (const double area : bending.Area)
+  {
+    total += area;
+  }
+  const double leastArea = 1e-3 * total / std::max<Index>(count, 1);
+  for (Index column = 0; column < count; ++column)
+  {
+    for (Matrix::InnerIterator entry(bending.Laplacian, column); entry; ++entry)
+    {
+      const Index row = static_cast<Index>(entry.row());
+      const double value =
+        entry.value() / std::sqrt(std::max(bending.Area[row], leastArea));
+      if (place[column] >= 0)
+      {
+        entries.emplace_back(row, place[column], value);
+      }
+      else
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          given(row, axis) += value * points[column][axis];
+        }
+      }
+    }
+  }
+  free.setFromTriplets(entries.begin(), entries.end());
+  Matrix transposed = free.transpose();
+  Eigen::SimplicialLDLT<Matrix> solver(transposed * free);
+  if (solver.info() != Eigen::Success)
+  {
+    return false;
+  }
+  const Columns right = -(transposed * given);
+  const Columns moved = solver.solve(right);
+  if (!moved.allFinite())
+  {
+    return false;
+  }
+  for (Index point = 0; point < count; ++point)
+  {
+    if (place[point] >= 0)
+    {
+      points[point] = { moved(place[point], 0), moved(place[point], 1), moved(place[point], 2) };
+    }
+  }
+  return true;
+}
+
+/// Numbers the points that are free to move.
+Index NumberFreePoints(
+  const SurfaceMesh& mesh, const std::vector<std::uint8_t>& stopped, std::vector<Index>& place)
+{
+  Index count = 0;
+  place.assign(mesh.Points.size(), -1);
+  for (std::size_t i = 0; i < place.size(); ++i)
+  {
+    if (!mesh.Fixed[i] && !stopped[i] && mesh.Corners.IsUsed(static_cast<Index>(i)))
+    {
+      place[i] = count++;
+    }
+  }
+  return count;
+}
+}
+
+void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
+{
+  const Operator bending = MakeOperator(weights, mesh);
+  std::vector<std::uint8_t> stopped(mesh.Points.size(), 0);
+  std::vector<Index> place;
+  // Points that reach the end of their cell stay there; then the others are placed anew.
+  constexpr int rounds = 3;
+  for (int round = 0; round < rounds; ++round)
+  {
+    const Index freePoints = NumberFreePoints(mesh, stopped, place);
+    if (freePoints == 0 || !Solve(bending, place, freePoints, mesh.Points))
+    {
+      return;
+    }
+    bool changed = false;
+    for (std::size_t i = 0; i < place.size(); ++i)
+    {
+      if (place[i] < 0)
+      {
+        continue;
+      }
+      const Box3& cell = mesh.Cells[mesh.CellOf(static_cast<Index>(i))];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const double inside =
+          std::clamp(mesh.Points[i][axis], cell.Low[axis], cell.High[axis]);
+        if (inside != mesh.Points[i][axis])
+        {
+          mesh.Points[i][axis] = inside;
+          stopped[i] = 1;
+          changed = true;
+        }
+      }
+    }
+    if (!changed)
+    {
+      return;
+    }
+  }
+}
+}

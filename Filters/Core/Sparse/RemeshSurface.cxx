@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Sparse/RemeshSurface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthoslices
+{
+namespace
+{
+constexpr double Long = 4.0 / 3.0;
+constexpr double Short = 4.0 / 5.0;
+
+double EdgeLength(const SurfaceMesh& mesh, Index corner)
+{
+  return Length(
+    mesh.Points[mesh.Corners.EndOf(corner)] - mesh.Points[mesh.Corners.StartOf(corner)]);
+}
+
+/// Whether the edges at the start of an edge stay short where they lead to `target` instead.
+bool StaysShort(const SurfaceMesh& mesh, Index corner, const Point3& target, double maximum)
+{
+  double before = 0.0;
+  double after = 0.0;
+  for (const Index end : { mesh.Corners.StartOf(corner), mesh.Corners.EndOf(corner) })
+  {
+    mesh.Corners.ForCornersAt(end,
+      [&](Index at)
+      {
+        const Point3& neighbor = mesh.Points[mesh.Corners.VertexOf(CornerTable::Next(at))];
+        before = std::max(before, Length(neighbor - mesh.Points[end]));
+        after = std::max(after, Length(neighbor - target));
+      });
+  }
+  return after <= std::max(before, maximum);
+}
+
+/// Moves the start of the corner's edge into its end, if that may be.
+bool TryCollapse(Index corner, double maximum, SurfaceMesh& mesh)
+{
+  const Index start = mesh.Corners.StartOf(corner);
+  const Index end = mesh.Corners.EndOf(corner);
+  const Point3 target =
+    mesh.Fixed[end] ? mesh.Points[end] : Between(mesh.Points[start], mesh.Points[end], 0.5);
+  if ((mesh.Fixed[start] && !mesh.Fixed[end]) || !mesh.Corners.CanCollapse(corner) ||
+    !StaysShort(mesh, corner, target, maximum))
+  {
+    return false;
+  }
+  mesh.Corners.Collapse(corner);
+  mesh.Points[end] = target;
+  return true;
+}
+
+double Cotangent(const Point3& apex, const Point3& a, const Point3& b)
+{
+  const Point3 u = a - apex;
+  const Point3 v = b - apex;
+  return Dot(u, v) / std::max(Length(Cross(u, v)), 1e-300);
+}
+
+bool IsDelaunay(const SurfaceMesh& mesh, Index corner)
+{
+  const CornerTable& corners = mesh.Corners;
+  const Point3& a = mesh.Points[corners.StartOf(corner)];
+  const Point3& b = mesh.Points[corners.EndOf(corner)];
+  const Point3& c = mesh.Points[corners.VertexOf(corner)];
+  const Point3& d = mesh.Points[corners.VertexOf(corners.OppositeOf(corner))];
+  // A little more than nothing, so that four points on a circle do not flip for ever.
+  constexpr double enough = -1e-9;
+  return Cotangent(c, a, b) + Cotangent(d, a, b) >= enough;
+}
+}
+
+void CollapseShortEdges(double length, SurfaceMesh& mesh)
+{
+  // The shortest first, in a few classes; a collapse makes room for others, so that each class has
+  // a few passes.
+  constexpr int classes = 5;
+  constexpr int passes = 4;
+  for (int i = classes - 1; i >= 0; --i)
+  {
+    const double shortest = Short * length * std::pow(0.5, i);
+    bool changed = true;
+    for (int pass = 0; pass < passes && changed; ++pass)
+    {
+      changed = false;
+      for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
+      {
+        if (mesh.Corners.IsAlive(corner) && EdgeLength(mesh, corner) < shortest)
+        {
+          changed |= TryCollapse(corner, Long * length, mesh);
+        }
+      }
+    }
+  }
+}
+
+void SplitLongEdges(double length, SurfaceMesh& mesh)
+{
+  // New edges come at the end and are looked at, too; each is shorter than the one it comes from.
+  for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
+  {
+    if (!mesh.Corners.IsAlive(corner) || EdgeLength(mesh, corner) <= Long * length)
+    {
+      continue;
+    }
+    const Index across = mesh.Corners.OppositeOf(corner);
+    const Point3 middle = Between(mesh.Points[mesh.Corners.StartOf(corner)],
+      mesh.Points[mesh.Corners.EndOf(corner)], 0.5);
+    mesh.Points.push_back(middle);
+    mesh.Fixed.push_back(mesh.Corners.IsCurve(corner) ? 1 : 0);
+    const bool crease = mesh.Crease[mesh.Corners.StartOf(corner)] &&
+      mesh.Crease[mesh.Corners.EndOf(corner)] && mesh.Corners.IsCurve(corner);
+    mesh.Crease.push_back(crease ? 1 : 0);
+    mesh.Cell.push_back(mesh.Cell[corner / 3]);
+    mesh.Cell.push_back(mesh.Cell[across / 3]);
+    mesh.Corners.Split(corner);
+  }
+}
+
+void RefineEdges(double length, SurfaceMesh& mesh)
+{
+  for (double scale = 8.0; scale >= 1.0; scale *= 0.5)
+  {
+    SplitLongEdges(scale * length, mesh);
+    FlipEdges(mesh);
+  }
+}
+
+void FlipEdges(SurfaceMesh& mesh)
+{
+  constexpr int passes = 10;
+  bool changed = true;
+  for (int pass = 0; pass < passes && changed; ++pass)
+  {
+    changed = false;
+    for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
+    {
+      if (mesh.Corners.IsAlive(corner) && corner < mesh.Corners.OppositeOf(corner) &&
+        !IsDelaunay(mesh, corner) && mesh.Corners.CanFlip(corner))
+      {
+        mesh.Corners.Flip(corner);
+        changed = true;
+      }
+    }
+  }
+}
+}

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesSurfaceMesh_h
+#define OrthoSlicesSurfaceMesh_h
+
+#include "Core/Base/Box.h"
+#include "Core/Sparse/CornerTable.h"
+#include "Core/Surface/LayOutTriangles.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/**
+ * A reconstructed surface as a mesh whose points may move. The contours are curves on it: their
+ * points are fixed. Each triangle is part of a patch and belongs to the patch's cell; the other
+ * points belong to the cell of their triangles, as curves separate the cells.
+ */
+struct SurfaceMesh
+{
+  CornerTable Corners;
+  std::vector<Point3> Points;
+  std::vector<std::uint8_t> Fixed;  ///< of each point: lies on a contour
+  std::vector<std::uint8_t> Crease; ///< of each point: the surface has an edge there
+  std::vector<Index> Cell;          ///< of each triangle: its place in Cells
+  std::vector<Box3> Cells;          ///< where points may go, the margin of the grid taken off
+
+  /// The cell of a point that is not fixed.
+  Index CellOf(Index point) const { return this->Cell[this->Corners.CornerAt(point) / 3]; }
+};
+
+/// The surface of `patches` with the arcs and loops of G as curves. Unbounded cells end half a mean
+/// spacing beyond the contours.
+SurfaceMesh MakeSurfaceMesh(
+  const CycleGeometry& geometry, const Patches& patches, const Execution& execution);
+}
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Sparse/VirtualPlanes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace orthoslices
+{
+namespace
+{
+/// As many slices show the shape of an object; fewer are sparse.
+constexpr double FewPlanes = 12.0;
+/// More virtual planes than this on one axis cost more than they show.
+constexpr double ManyPlanes = 64.0;
+/// A slab is divided if its halves are not much narrower than wanted.
+constexpr double WideSlab = 1.4;
+
+double DensestSpacing(const SpatialGrid& grid)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (grid.Count(axis) > 1)
+    {
+      least = std::min(least, grid.MeanSpacing(axis));
+    }
+  }
+  return least;
+}
+}
+
+SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double spacing)
+  : Extent(contours.High - contours.Low)
+{
+  const double densest = DensestSpacing(grid);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Target[axis] = spacing > 0.0
+      ? spacing
+      : std::clamp(densest, this->Extent[axis] / ManyPlanes, this->Extent[axis] / FewPlanes);
+    this->Wide[axis] = WideSlab *
+      (spacing > 0.0 ? spacing : std::max(this->Target[axis], this->Extent[axis] / FewPlanes));
+    const auto& planes = grid.Planes[axis];
+    this->Sparse |= planes.empty();
+    for (std::size_t i = 0; i <= planes.size() && !planes.empty(); ++i)
+    {
+      const double low = i > 0 ? planes[i - 1] : contours.Low[axis];
+      const double high = i < planes.size() ? planes[i] : contours.High[axis];
+      this->Sparse |= this->CountParts(axis, high - low) > 1;
+    }
+  }
+}
+
+double SliceDensity::EdgeLength() const
+{
+  const int longest =
+    static_cast<int>(std::max_element(this->Extent.begin(), this->Extent.end()) - this->Extent.begin());
+  // Finer meshes do not become more accurate, coarser ones do not bend as they should.
+  constexpr double share = 0.7;
+  return share * this->Target[longest];
+}
+
+int SliceDensity::CountParts(int axis, double width) const
+{
+  if (width <= this->Wide[axis])
+  {
+    return 1;
+  }
+  return static_cast<int>(std::lround(width / this->Target[axis]));
+}
+
+VirtualPlanes ChooseVirtualPlanes(
+  const SpatialGrid& grid, const Box3& surface, const SliceDensity& density)
+{
+  VirtualPlanes result;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto& planes = grid.Planes[axis];
+    const auto divide = [&](double low, double high, double from, double to, int parts)
+    {
+      for (int i = 0; i < parts; ++i)
+      {
+        const double plane = grid.Round(low + (high - low) * (from + i) / (parts - 1 + from + to));
+        result[axis].push_back(plane);
+      }
+    };
+    const double low = surface.Low[axis];
+    const double high = surface.High[axis];
+    if (planes.empty())
+    {
+      const int count =
+        std::max(1, static_cast<int>(std::lround((high - low) / density.Spacing(axis))));
+      divide(low, high, 0.5, 0.5, count);
+      continue;
+    }
+    // The last slab ends where the surface does, half a spacing beyond the last plane.
+    divide(low, planes.front(), 0.5, 1.0, density.CountParts(axis, planes.front() - low) - 1);
+    for (std::size_t i = 1; i < planes.size(); ++i)
+    {
+      divide(planes[i - 1], planes[i], 1.0, 1.0,
+        density.CountParts(axis, planes[i] - planes[i - 1]) - 1);
+    }
+    divide(planes.back(), high, 1.0, 0.5, density.CountParts(axis, high - planes.back()) - 1);
+  }
+  return result;
+}
+}
