@@ -251,6 +251,18 @@ public:
 
   ///@{
   /**
+   * Whether a contour is interpolated on a slice that lacks it: where those of the slices before and
+   * after it overlap, do not shrink towards it and have no other one to continue, while other
+   * contours are drawn on the slice. A warning says how many there are, and on which slices. Default:
+   * on.
+   */
+  vtkSetMacro(InsertMissingContours, bool);
+  vtkGetMacro(InsertMissingContours, bool);
+  vtkBooleanMacro(InsertMissingContours, bool);
+  ///@}
+
+  ///@{
+  /**
    * How cells with several cycles are filled: by discs, tubes and branchings, as the evidence says
    * (default), or by a disc for every cycle, as in the paper. Patches do not cross in either case.
    */
@@ -497,6 +509,7 @@ private:
   int CentralPoint = LEAST_SQUARES;
   double AxisWeights[3] = { 1.0, 1.0, 1.0 };
   double ReportTolerance = 1e-3;
+  bool InsertMissingContours = true;
   bool ComputeNormals = true;
   bool ComputeCurvatures = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;

@@ -185,6 +185,30 @@ std::array<double, 2> AreasAtEnds(const CycleGeometry& geometry, const PatchMesh
   }
   return { std::abs(areas[0]), std::abs(areas[1]) };
 }
+
+/// For each cycle, 1 if it is that of a loop on the last slice beyond which the object ends flat.
+std::vector<std::uint8_t> FindFlatEnds(
+  const CycleGeometry& geometry, const std::vector<PatchMesh>& stitched)
+{
+  const std::vector<std::array<Index, 2>> sides = SidesOfLoops(geometry);
+  std::vector<std::uint8_t> isFlat(static_cast<std::size_t>(geometry.Cycles.Count()), 0);
+  for (const PatchMesh& patch : stitched)
+  {
+    const std::array<double, 2> areas = AreasAtEnds(geometry, patch);
+    for (const Index cycle : patch.Cycles)
+    {
+      const bool above = geometry.FirstArc(cycle).Above;
+      const double last = areas[above ? 0 : 1], before = areas[above ? 1 : 0];
+      const Face& loop = geometry.Graph.Loops[geometry.LoopOf(cycle)];
+      const bool isLast = loop.Plane == (above ? 0 : geometry.Grid.Count(loop.Axis) - 1);
+      if (isLast && before > 0.0 && last >= MinShareOfFlatEnd * before)
+      {
+        isFlat[sides[geometry.LoopOf(cycle)][above ? 0 : 1]] = 1;
+      }
+    }
+  }
+  return isFlat;
+}
 }
 
 void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
@@ -226,32 +250,34 @@ void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
   }
 }
 
-void FlattenEnds(const CycleGeometry& geometry, const std::vector<PatchMesh>& stitched,
+void FlattenEnds(const CycleGeometry& geometry, std::vector<PatchMesh>& stitched,
   std::vector<double>& centralPoints)
 {
-  const std::vector<std::array<Index, 2>> sides = SidesOfLoops(geometry);
-  std::vector<std::uint8_t> isStitched(static_cast<std::size_t>(geometry.Cycles.Count()), 0);
-  for (const PatchMesh& patch : stitched)
+  const CellCycles& cycles = geometry.Cycles;
+  const std::vector<std::uint8_t> isFlat = FindFlatEnds(geometry, stitched);
+  const auto heightOf = [&](Index cycle)
   {
-    for (const Index cycle : patch.Cycles)
+    const Face& loop = geometry.Graph.Loops[geometry.LoopOf(cycle)];
+    return geometry.Grid.MoveInside(loop.Axis, cycles.Cell[cycle][loop.Axis],
+      geometry.Grid.Planes[loop.Axis][loop.Plane], CentralPointMargin);
+  };
+  for (Index cycle = 0; cycle < cycles.Count(); ++cycle)
+  {
+    if (isFlat[cycle] != 0)
     {
-      isStitched[cycle] = 1;
+      const int axis = geometry.Graph.Loops[geometry.LoopOf(cycle)].Axis;
+      centralPoints[3 * static_cast<std::size_t>(cycle) + axis] = heightOf(cycle);
     }
   }
-  for (const PatchMesh& patch : stitched)
+  for (PatchMesh& patch : stitched)
   {
-    const std::array<double, 2> areas = AreasAtEnds(geometry, patch);
-    for (const Index cycle : patch.Cycles)
+    if (std::all_of(patch.Cycles.begin(), patch.Cycles.end(),
+          [&](Index cycle) { return isFlat[cycle] != 0; }))
     {
-      const bool above = geometry.FirstArc(cycle).Above;
-      const double last = areas[above ? 0 : 1], before = areas[above ? 1 : 0];
-      const Index dome = sides[geometry.LoopOf(cycle)][above ? 0 : 1];
-      if (isStitched[dome] == 0 && before > 0.0 && last >= MinShareOfFlatEnd * before)
+      const Index cycle = patch.Cycles.front();
+      for (Point3& point : patch.Points)
       {
-        const Face& loop = geometry.Graph.Loops[geometry.LoopOf(cycle)];
-        double* apex = centralPoints.data() + 3 * static_cast<std::size_t>(dome);
-        apex[loop.Axis] = geometry.Grid.MoveInside(loop.Axis, geometry.Cycles.Cell[dome][loop.Axis],
-          geometry.Grid.Planes[loop.Axis][loop.Plane], CentralPointMargin);
+        point[geometry.Graph.Loops[geometry.LoopOf(cycle)].Axis] = heightOf(cycle);
       }
     }
   }
