@@ -74,7 +74,8 @@
  *    overruled on whether a vertex of M is inside, 4 two crossings that the other slice does not
  *    have were taken out, 8 arcs that crossed on a face of M were taken apart (they pass their
  *    vertices in another order), 5 arcs that touched otherwise were drawn anew, 6 the same and
- *    their ends were joined in another way, 7 patches that crossed within a cell were separated;
+ *    their ends were joined in another way, 7 patches that crossed within a cell were separated,
+ *    9 a contour that the slice lacks was interpolated (see InsertMissingContours);
  *  - "Disagreement" (double): at a node point, the distance of the two contours along the grid
  *    edge in world units; 0 elsewhere;
  *  - "SliceAxis" (int): 0, 1, 2 for arcs and repairs on x-, y-, z-slices, else -1;

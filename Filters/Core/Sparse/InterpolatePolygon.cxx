@@ -7,21 +7,6 @@
 
 namespace orthoslices
 {
-bool IsInside(const std::vector<Point2>& polygon, const Point2& p)
-{
-  bool inside = false;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-  {
-    const Point2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    if ((a[0] <= p[0]) != (b[0] <= p[0]))
-    {
-      const double t = (p[0] - a[0]) / (b[0] - a[0]);
-      inside = inside != (a[1] + t * (b[1] - a[1]) < p[1]);
-    }
-  }
-  return inside;
-}
-
 double LengthOf(const std::vector<Point2>& polygon)
 {
   double length = 0.0;

@@ -9,9 +9,6 @@
 
 namespace orthoslices
 {
-/// Whether a point is inside a polygon, by the number of sides below it; on a side, either.
-bool IsInside(const std::vector<Point2>& polygon, const Point2& p);
-
 double LengthOf(const std::vector<Point2>& polygon);
 
 /// The mean of the vertices.
