@@ -4,6 +4,7 @@
 
 #include "Core/Planar/UncrossCurves.h"
 #include "Core/Sparse/InterpolatePolygon.h"
+#include "Core/Sparse/SlicePart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,69 +26,7 @@ constexpr double MinLikeness = 0.5;
 /// More slices without the contour than this are a gap that no one has overlooked.
 constexpr Index MaxMissing = 2;
 
-/// Vertices of a contour that are tried for whether they are inside another one.
-constexpr std::size_t TriedVertices = 16;
-
 using Polygon = std::vector<Point2>;
-
-bool HasVertexInside(const Polygon& polygon, const Polygon& other)
-{
-  const std::size_t step = 1 + (polygon.size() - 1) / TriedVertices;
-  for (std::size_t i = 0; i < polygon.size(); i += step)
-  {
-    if (IsInside(other, polygon[i]))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// A contour of the slices of one family.
-struct Part
-{
-  Polygon Vertices;
-  Index Plane = 0;
-  double Area = 0.0;
-  Point2 Low{ HUGE_VAL, HUGE_VAL }, High{ -HUGE_VAL, -HUGE_VAL }, Middle{};
-};
-
-Part MakePart(const Contours& contours, Index contour)
-{
-  Part part;
-  part.Plane = contours.Plane[contour];
-  for (Index v = contours.Offsets[contour]; v < contours.Offsets[contour + 1]; ++v)
-  {
-    part.Vertices.push_back({ contours.U[v], contours.V[v] });
-    for (int i = 0; i < 2; ++i)
-    {
-      part.Low[i] = std::min(part.Low[i], part.Vertices.back()[i]);
-      part.High[i] = std::max(part.High[i], part.Vertices.back()[i]);
-    }
-  }
-  part.Middle = MiddleOf(part.Vertices);
-  const Polygon& p = part.Vertices;
-  for (std::size_t i = 1; i + 1 < p.size(); ++i)
-  {
-    part.Area += 0.5 * (p[i][0] - p[0][0]) * (p[i + 1][1] - p[0][1]) -
-      0.5 * (p[i][1] - p[0][1]) * (p[i + 1][0] - p[0][0]);
-  }
-  return part;
-}
-
-/// Whether two contours are of one part, as far as one sees along the axis.
-bool DoOverlap(const Part& a, const Part& b)
-{
-  for (int i = 0; i < 2; ++i)
-  {
-    if (a.High[i] < b.Low[i] || b.High[i] < a.Low[i])
-    {
-      return false;
-    }
-  }
-  return a.Area * b.Area > 0.0 &&
-    (HasVertexInside(a.Vertices, b.Vertices) || HasVertexInside(b.Vertices, a.Vertices));
-}
 
 /// Finds the missing contours of one family.
 class FamilyCompleter
@@ -106,11 +45,11 @@ public:
 private:
   void ReadParts();
   /// The contour of a plane that a part overlaps and that encloses most; -1 if there is none.
-  Index LargestOn(Index plane, const Part& part) const;
+  Index LargestOn(Index plane, const SlicePart& part) const;
   std::vector<Index> FindEnds(int direction) const;
   Index NearestOf(Index end, const std::vector<Index>& others) const;
-  void Bridge(const Part& from, const Part& to, MissingContours& missing);
-  bool IsPossible(const Polygon& polygon, Index plane, const Part& like) const;
+  void Bridge(const SlicePart& from, const SlicePart& to, MissingContours& missing);
+  bool IsPossible(const Polygon& polygon, Index plane, const SlicePart& like) const;
   bool DoOthersAgree(const Polygon& polygon, Index plane) const;
   bool IsInsideOn(int axis, double coordinate, const Point3& p) const;
   Index DepthOf(const Point2& p, Index plane) const;
@@ -118,7 +57,7 @@ private:
   const Contours& Set;
   const SpatialGrid& Grid;
   const int Axis;
-  std::vector<Part> Parts;
+  std::vector<SlicePart> Parts;
   std::vector<std::vector<Index>> OnPlane; ///< numbers of parts
 };
 
@@ -129,12 +68,12 @@ void FamilyCompleter::ReadParts()
     if (this->Set.Axis[contour] == this->Axis && !this->Set.IsVirtual(contour))
     {
       this->OnPlane[this->Set.Plane[contour]].push_back(static_cast<Index>(this->Parts.size()));
-      this->Parts.push_back(MakePart(this->Set, contour));
+      this->Parts.push_back(MakeSlicePart(this->Set, contour));
     }
   }
 }
 
-Index FamilyCompleter::LargestOn(Index plane, const Part& part) const
+Index FamilyCompleter::LargestOn(Index plane, const SlicePart& part) const
 {
   Index largest = -1;
   for (const Index other : this->OnPlane[plane])
@@ -154,7 +93,7 @@ std::vector<Index> FamilyCompleter::FindEnds(int direction) const
   std::vector<Index> ends;
   for (std::size_t i = 0; i < this->Parts.size(); ++i)
   {
-    const Part& part = this->Parts[i];
+    const SlicePart& part = this->Parts[i];
     const Index next = part.Plane + direction, previous = part.Plane - direction;
     if (std::min(next, previous) < 0 ||
       std::max(next, previous) >= static_cast<Index>(this->OnPlane.size()) ||
@@ -174,12 +113,12 @@ std::vector<Index> FamilyCompleter::FindEnds(int direction) const
 /// The end on the other side of a gap that is nearest to this one; -1 if there is none.
 Index FamilyCompleter::NearestOf(Index end, const std::vector<Index>& others) const
 {
-  const Part& part = this->Parts[end];
+  const SlicePart& part = this->Parts[end];
   Index nearest = -1;
   std::pair<Index, double> least{ MaxMissing + 2, 0.0 }; // slices, then distance of the middles
   for (const Index other : others)
   {
-    const Part& candidate = this->Parts[other];
+    const SlicePart& candidate = this->Parts[other];
     const double a = std::abs(part.Area), b = std::abs(candidate.Area);
     const std::pair<Index, double> distance{ std::abs(candidate.Plane - part.Plane),
       std::hypot(candidate.Middle[0] - part.Middle[0], candidate.Middle[1] - part.Middle[1]) };
@@ -204,7 +143,7 @@ Index FamilyCompleter::DepthOf(const Point2& p, Index plane) const
   return depth;
 }
 
-bool FamilyCompleter::IsPossible(const Polygon& polygon, Index plane, const Part& like) const
+bool FamilyCompleter::IsPossible(const Polygon& polygon, Index plane, const SlicePart& like) const
 {
   if (polygon.size() < 3)
   {
@@ -234,7 +173,7 @@ bool FamilyCompleter::IsInsideOn(int axis, double coordinate, const Point3& p) c
     {
       inside = inside !=
         IsInside(
-          MakePart(this->Set, contour).Vertices, { p[FirstAxis(axis)], p[SecondAxis(axis)] });
+          MakeSlicePart(this->Set, contour).Vertices, { p[FirstAxis(axis)], p[SecondAxis(axis)] });
     }
   }
   return inside;
@@ -279,7 +218,7 @@ bool FamilyCompleter::DoOthersAgree(const Polygon& polygon, Index plane) const
 }
 
 /// Adds the contours between two ends, if all of them are possible.
-void FamilyCompleter::Bridge(const Part& from, const Part& to, MissingContours& missing)
+void FamilyCompleter::Bridge(const SlicePart& from, const SlicePart& to, MissingContours& missing)
 {
   const std::vector<double>& planes = this->Grid.Planes[this->Axis];
   std::vector<Polygon> polygons;
@@ -316,7 +255,7 @@ void FamilyCompleter::Bridge(const Part& from, const Part& to, MissingContours& 
     missing.Repairs.push_back(
       { RepairKind::ContourInserted, this->Axis, plane, where, LengthOf(polygon) });
     this->OnPlane[plane].push_back(static_cast<Index>(this->Parts.size()));
-    this->Parts.push_back(MakePart(found, found.Count() - 1));
+    this->Parts.push_back(MakeSlicePart(found, found.Count() - 1));
   }
 }
 
@@ -347,7 +286,7 @@ void FamilyCompleter::Run(MissingContours& missing)
       [&](Index other) { return this->Parts[other].Plane < this->Parts[pair.second].Plane; });
     if (this->NearestOf(pair.second, before) == pair.first)
     {
-      const Part from = this->Parts[pair.first], to = this->Parts[pair.second];
+      const SlicePart from = this->Parts[pair.first], to = this->Parts[pair.second];
       this->Bridge(from, to, missing);
     }
   }
