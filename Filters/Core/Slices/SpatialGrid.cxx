@@ -16,6 +16,9 @@ namespace
 /// Planes that are fewer steps of the precision apart become one: closer ones leave no room for 16
 /// steps of Margin on both sides and for a few patches between them.
 constexpr double MinDistanceOfPlanes = 256.0;
+
+/// Room that patches have beyond virtual contours, in SpacingAtEnds: far more than the Margin.
+constexpr double RoomBeyondVirtual = 0.01;
 }
 
 double SpatialGrid::Margin(int axis, Index slab) const
@@ -221,8 +224,9 @@ void SetSpacingAtEnds(const Box3& box, SpatialGrid& grid)
   }
 }
 
-/// Sets the bounds of the surface, if there are real contours. REQUIRES: the planes are known.
-void SetBounds(const Box3& box, SpatialGrid& grid)
+/// Sets the bounds of the surface, if there are real contours: these lie in the box, and all in the
+/// other one. REQUIRES: the planes are known.
+void SetBounds(const Box3& box, const Box3& all, SpatialGrid& grid)
 {
   if (!(box.Low[0] <= box.High[0]))
   {
@@ -232,8 +236,11 @@ void SetBounds(const Box3& box, SpatialGrid& grid)
   for (int axis = 0; axis < 3; ++axis)
   {
     const double beyond = 0.5 * grid.SpacingAtEnds[axis];
-    grid.Lowest[axis] = RoundInwards(grid, box.Low[axis] - beyond, -HUGE_VAL);
-    grid.Highest[axis] = RoundInwards(grid, box.High[axis] + beyond, HUGE_VAL);
+    const double beyondVirtual = RoomBeyondVirtual * grid.SpacingAtEnds[axis];
+    const double low = std::min(box.Low[axis] - beyond, all.Low[axis] - beyondVirtual);
+    const double high = std::max(box.High[axis] + beyond, all.High[axis] + beyondVirtual);
+    grid.Lowest[axis] = RoundInwards(grid, low, -HUGE_VAL);
+    grid.Highest[axis] = RoundInwards(grid, high, HUGE_VAL);
   }
 }
 }
@@ -273,7 +280,7 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
     }
   }
   DropFlagsOfReal(grid);
-  SetBounds(FindBox(contours, false), grid);
+  SetBounds(FindBox(contours, false), box, grid);
   return grid;
 }
 }

@@ -50,8 +50,9 @@ struct SpatialGrid
    */
   Point3 SpacingAtEnds{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
   /// The bounds of the surface, values of the precision: the box around all contours of real planes,
-  /// widened by half of SpacingAtEnds on each side. All points that are placed in a cell lie within
-  /// them. Without contours there are none.
+  /// widened by half of SpacingAtEnds on each side, and by more where virtual contours (which should
+  /// end two hundredths of SpacingAtEnds before that) would else not be within. All points that are
+  /// placed in a cell lie within them. Without contours there are none.
   Point3 Lowest{ -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
   Point3 Highest{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
 

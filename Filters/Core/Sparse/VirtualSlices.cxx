@@ -7,6 +7,7 @@
 #include "Core/Sparse/RemeshSurface.h"
 #include "Core/Sparse/SubdivideSurface.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace orthoslices
@@ -60,7 +61,10 @@ Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      point[axis] = grid.MoveIntoBounds(axis, point[axis]);
+      // Patches need room beyond the contours, but must not leave the bounds of the real ones.
+      const double room = 0.02 * grid.SpacingAtEnds[axis];
+      point[axis] = grid.Round(
+        std::max(grid.Lowest[axis] + room, std::min(grid.Highest[axis] - room, point[axis])));
     }
   }
   Box3 box;
