@@ -260,7 +260,7 @@ bool StageRunner::OrientSlices()
   {
     return false;
   }
-  if (options.InsertMissing)
+  if (options.InsertMissing && !result.Grid.HasVirtual())
   {
     MissingContours missing = FindMissingContours(contours, result.Grid);
     AppendContours(missing.Found, contours);
