@@ -295,6 +295,7 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
 {
   options.PlaneTolerance = this->PlaneTolerance;
   options.Orient = Orientations[this->Orientation].Value;
+  options.InsertMissing = this->InsertMissingContours;
   options.RefuseInvalid = InvalidContoursModes[this->InvalidContours].Value;
   options.Crossing = CrossingContoursModes[this->CrossingContours].Value;
   if (std::any_of(this->AxisWeights, this->AxisWeights + 3, [](double w) { return w > 0.0; }))
@@ -384,6 +385,7 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InvalidContours: " << InvalidContoursModes[this->InvalidContours].Name << "\n";
   os << indent << "CrossingContours: " << CrossingContoursModes[this->CrossingContours].Name
      << "\n";
+  os << indent << "InsertMissingContours: " << (this->InsertMissingContours ? "On" : "Off") << "\n";
   os << indent << "SeveralCycles: " << SeveralCyclesModes[this->SeveralCycles].Name << "\n";
   os << indent << "Correspondence: " << Correspondences[this->Correspondence].Name << "\n";
   os << indent << "ExpectedComponents: " << this->ExpectedComponents << "\n";

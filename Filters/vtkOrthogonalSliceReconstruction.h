@@ -74,7 +74,8 @@
  *    overruled on whether a vertex of M is inside, 4 two crossings that the other slice does not
  *    have were taken out, 8 arcs that crossed on a face of M were taken apart (they pass their
  *    vertices in another order), 5 arcs that touched otherwise were drawn anew, 6 the same and
- *    their ends were joined in another way, 7 patches that crossed within a cell were separated;
+ *    their ends were joined in another way, 7 patches that crossed within a cell were separated,
+ *    9 a contour that the slice lacks was interpolated (see InsertMissingContours);
  *  - "Disagreement" (double): at a node point, the distance of the two contours along the grid
  *    edge in world units; 0 elsewhere;
  *  - "SliceAxis" (int): 0, 1, 2 for arcs and repairs on x-, y-, z-slices, else -1;
@@ -118,9 +119,9 @@
  * outputs of the others are empty.
  *
  * @section Guarantees Guarantees
- * G1 to G6 in Core/Reconstruct.h: closed, 2-manifold, consistently oriented outwards, contour
+ * G1 to G7 in Core/Reconstruct.h: closed, 2-manifold, consistently oriented outwards, contour
  * vertices kept, the same bytes for any number of threads and on every execution, no two triangles
- * that cross.
+ * that cross, nothing outside the box of the contours by more than half a spacing.
  *
  * @section Errors Errors
  * A connected port without contours, no connected port, an open contour, a contour that leaves its
@@ -250,6 +251,18 @@ public:
   void SetCrossingContoursToRepair() { this->SetCrossingContours(REPAIR_CROSSING); }
   void SetCrossingContoursToRefuse() { this->SetCrossingContours(REFUSE_CROSSING); }
   void SetCrossingContoursToLeaveOut() { this->SetCrossingContours(LEAVE_OUT_CROSSING); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether a contour is interpolated on a slice that lacks it: where those of the slices before and
+   * after it overlap, do not shrink towards it and have no other one to continue, while other
+   * contours are drawn on the slice. A warning says how many there are, and on which slices. Default:
+   * on.
+   */
+  vtkSetMacro(InsertMissingContours, bool);
+  vtkGetMacro(InsertMissingContours, bool);
+  vtkBooleanMacro(InsertMissingContours, bool);
   ///@}
 
   ///@{
@@ -500,6 +513,7 @@ private:
   int CentralPoint = LEAST_SQUARES;
   double AxisWeights[3] = { 1.0, 1.0, 1.0 };
   double ReportTolerance = 1e-3;
+  bool InsertMissingContours = true;
   bool ComputeNormals = true;
   bool ComputeCurvatures = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;

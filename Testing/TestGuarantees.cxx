@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   the guarantees G1 to G6 of Core/Reconstruct.h, one by one
+ * @brief   the guarantees G1 to G7 of Core/Reconstruct.h, one by one
  *
  * Each is checked over all shapes in Data, all analytic solids and random solids, as they are and
  * made contradictory. ORTHOGONAL_SLICES_RUNS and ORTHOGONAL_SLICES_SEED set the number of random
  * inputs of each kind and the first of them.
  */
 
+#include "Support/CheckBounds.h"
 #include "Support/CheckEmbedding.h"
 #include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
@@ -356,8 +357,71 @@ TEST(Guarantees, G6NoTwoTrianglesMeetSaysCgal)
 }
 
 //----------------------------------------------------------------------------
+namespace
+{
+/// The sets of an input whose bits are set, x first, and the others empty.
+Input TakeFamilies(const Input& input, unsigned families)
+{
+  Input taken = input;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if ((families >> axis & 1u) == 0)
+    {
+      taken.Sets[axis] = EmptySets()[axis];
+    }
+  }
+  taken.Name += ", families " + std::to_string(families);
+  return taken;
+}
+
+/// With every patch type, and with the central points of both kinds.
+void ExpectWithinBounds(Input input)
+{
+  SpatialGrid grid;
+  const Contours contours = UsableContours(input.Sets, input.Settings, grid);
+  for (const auto method : { PatchMethod::Smooth, PatchMethod::Coons, PatchMethod::Fan })
+  {
+    for (const auto central : { CentralPointMethod::LeastSquares, CentralPointMethod::Centroid })
+    {
+      input.Settings.Patching.Method = method;
+      input.Settings.Central = central;
+      EXPECT_EQ(DescribeExcess(Result(input).Mesh, contours, false), "")
+        << static_cast<int>(method) << " " << static_cast<int>(central);
+    }
+  }
+}
+}
+
+TEST(Guarantees, G7NothingLeavesTheBoxOfTheContoursByMoreThanHalfASpacing)
+{
+  VisitConsistent(ExpectWithinBounds);
+  VisitRandom(RandomContradictoryInput, ExpectWithinBounds);
+  VisitRandom(RandomSparseInput, ExpectWithinBounds);
+}
+
+//----------------------------------------------------------------------------
+/// Where families are missing, cells reach to the ends of the object.
+TEST(Guarantees, G7HoldsForEverySubsetOfTheFamilies)
+{
+  for (const DataSet& data : AllDataSets())
+  {
+    Input input;
+    input.Name = data.Name;
+    input.Sets = ReadPieceSets(data, 16);
+    for (unsigned families = 1; families < 8; ++families)
+    {
+      const Input taken = TakeFamilies(input, families);
+      SCOPED_TRACE(taken.Name);
+      SpatialGrid grid;
+      const Contours contours = UsableContours(taken.Sets, taken.Settings, grid);
+      EXPECT_EQ(DescribeExcess(Result(taken).Mesh, contours, false), "");
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
 /// Rounded to float, points may come together: the core keeps them apart if it knows.
-TEST(Guarantees, G1ToG6HoldInSinglePrecision)
+TEST(Guarantees, G1ToG7HoldInSinglePrecision)
 {
   const auto check = [](Input input)
   {
@@ -375,6 +439,8 @@ TEST(Guarantees, G1ToG6HoldInSinglePrecision)
     EXPECT_TRUE(surface.IsClosedManifold()) << surface;
     EXPECT_TRUE(FindMeetings(mesh).empty());
     EXPECT_LE(CountSelfIntersections(mesh), 0);
+    SpatialGrid grid;
+    EXPECT_EQ(DescribeExcess(mesh, UsableContours(input.Sets, input.Settings, grid), true), "");
   };
   VisitData(check);
   VisitRandom(RandomConsistentInput, check);

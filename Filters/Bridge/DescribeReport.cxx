@@ -117,6 +117,33 @@ void DescribeContours(
   }
 }
 
+/// Contours that slices lack and that were interpolated, and on which slices.
+void DescribeInserted(const Reconstruction& result, std::ostringstream& text)
+{
+  std::size_t count = 0;
+  std::ostringstream slices;
+  for (const Repair& repair : result.Repairs)
+  {
+    if (repair.Kind == RepairKind::ContourInserted)
+    {
+      slices << (count == ListedProblems ? ", ..." : count > ListedProblems ? "" : ", ");
+      if (count < ListedProblems)
+      {
+        slices << AxisNames[repair.Axis] << " = " << result.Grid.Planes[repair.Axis][repair.Plane];
+      }
+      ++count;
+    }
+  }
+  if (count > 0)
+  {
+    text << "\n"
+         << count
+         << " contours seem to be missing and were interpolated between those of the slices around "
+            "them, on "
+         << slices.str().substr(2) << ".";
+  }
+}
+
 /// Lines of a slice that were changed because they cross or touch, more than the tolerance.
 void DescribeRedrawnArcs(const Reconstruction& result, std::ostringstream& text)
 {
@@ -247,6 +274,7 @@ std::string DescribeReport(const Reconstruction& result, const ReportSettings& s
 {
   std::ostringstream text;
   DescribeContours(result, settings, text);
+  DescribeInserted(result, text);
   DescribeRedrawnArcs(result, text);
   DescribeContradictions(result, settings.Tolerance, text);
   if (result.InsideOut)

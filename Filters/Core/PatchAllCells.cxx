@@ -221,6 +221,7 @@ void CellPatcher::LocateCenters()
   centralPoints =
     LocateCentralPoints(this->Settings.Central, this->Geometry, this->NodeNormals, this->Execute);
   LowerDomes(this->Geometry, this->Result.Cells, this->NodeNormals, centralPoints);
+  FlattenEnds(this->Geometry, this->Known.Patches, centralPoints);
   this->Finish(Stage::LocateCentralPoints);
 }
 

@@ -12,6 +12,7 @@
 #include "Core/Slabs/StitchSlabs.h"
 #include "Core/Slices/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
+#include "Core/Sparse/MissingContours.h"
 #include "Core/Sparse/VirtualSlices.h"
 
 #include <algorithm>
@@ -159,6 +160,7 @@ private:
     this->Settings.Known.Genus = first.Result.Topology.Genus;
     this->Tables.Tolerance = first.Tables.Tolerance;
     this->Tables.Contours = std::move(contours);
+    this->Inserted = first.Inserted;
     this->Result.Invalid = first.Result.Invalid;
     this->Result.CrossingProblems = first.Result.CrossingProblems;
     this->Result.ContourCount = first.Result.ContourCount;
@@ -183,6 +185,7 @@ private:
   const Execution& Execute;
   const StageObserver& Observe;
   StageTables Tables;
+  std::vector<Repair> Inserted; ///< contours that slices lack
   Contours Drawn; ///< a copy of the contours, where they are too few
   Reconstruction Result;
 };
@@ -258,6 +261,12 @@ bool StageRunner::OrientSlices()
   {
     return false;
   }
+  if (options.InsertMissing && !result.Grid.HasVirtual())
+  {
+    MissingContours missing = FindMissingContours(contours, result.Grid);
+    AppendContours(missing.Found, contours);
+    this->Inserted = std::move(missing.Repairs);
+  }
   SmoothContours(
     result.Grid, options.Smoothing, options.Patching.CornerAngle, this->Execute, contours);
   if (options.VirtualSpacing >= 0.0 &&
@@ -286,6 +295,7 @@ bool StageRunner::MakeSlicesAgree()
     ReconcileSlices({ result.Grid, result.Crossings, tables.Edges, tables.IsolatedParts },
       this->Settings.Weights, result.InsideOut ? 1 : 0);
   result.Repairs.swap(result.Reconciled.Repairs);
+  this->Report(this->Inserted);
   this->Finish(Stage::ReconcileSlices);
   result.Nodes =
     PairNodePoints(result.Grid, result.Crossings, tables.Edges, this->Settings.Weights);

@@ -51,6 +51,8 @@ namespace orthoslices
  *   G5  Deterministic: the result does not depend on the number of threads, and slices that agree
  *       are not changed by ReconcileSlices.
  *   G6  Embedded: no two triangles meet but in their common edge or vertex.
+ *   G7  Bounded: nothing leaves the box around all contours by more than half the spacing of the
+ *       slices (SpacingAtEnds) along any axis.
  *
  * `observer` is called after each stage.
  */

@@ -14,6 +14,7 @@
  * regression test.
  */
 
+#include "Support/CheckBounds.h"
 #include "Support/CheckEmbedding.h"
 #include "Support/Random.h"
 #include "Support/ReconstructionMesh.h"
@@ -417,7 +418,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   const TriangleMesh mesh = MeshOf(result);
-  std::string flaws = DescribeFlaws(mesh);
+  SpatialGrid grid;
+  std::string flaws = DescribeFlaws(mesh) +
+    DescribeExcess(mesh, UsableContours(sets, options, grid), options.SinglePrecision);
   if (!flaws.empty())
   {
     const PieceSets reduced = Reduce(sets, options, 300);

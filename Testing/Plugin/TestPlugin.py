@@ -40,6 +40,7 @@ def check_defaults():
     expected = {
         "Orientation": "By Nesting",
         "InvalidContours": "Refuse",
+        "InsertMissingContours": 1,
         "PlaneTolerance": 1e-5,
         "PatchType": "Smooth",
         "EdgeLength": 0.25,

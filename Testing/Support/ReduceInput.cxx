@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/ReduceInput.h"
 
+#include "Support/CheckBounds.h"
 #include "Support/CheckEmbedding.h"
 #include "Support/ReconstructionMesh.h"
+#include "Support/Stages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -176,7 +178,10 @@ std::string FindFlaws(const PieceSets& sets, const Options& options)
   {
     return std::string();
   }
-  return DescribeFlaws(MeshOf(result));
+  SpatialGrid grid;
+  const TriangleMesh mesh = MeshOf(result);
+  return DescribeFlaws(mesh) +
+    DescribeExcess(mesh, UsableContours(sets, options, grid), options.SinglePrecision);
 }
 
 PieceSets Reduce(PieceSets sets, const Options& options, int trials)

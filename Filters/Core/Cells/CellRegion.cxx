@@ -115,6 +115,14 @@ void CellRegions::SetExtent(const std::vector<CellRegion>& regions)
   }
 }
 
+void CellRegions::ClipToBounds()
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Geometry.Grid.ClipToBounds(axis, this->Low[axis], this->High[axis]);
+  }
+}
+
 /// A corner is in the region if a path along edges from corner 0 passes an odd number of nodes.
 void CellRegions::FindCorners(CellRegion& region) const
 {

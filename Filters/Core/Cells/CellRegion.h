@@ -77,6 +77,8 @@ public:
   static CellRegion Subtract(const std::vector<const CellRegion*>& regions, std::size_t outermost);
 
   Point3 Corner(int corner) const;
+  /// Ends the cell at the bounds of the surface where it reaches beyond them.
+  void ClipToBounds();
   const Point3& LowCorner() const { return this->Low; }
   const Point3& HighCorner() const { return this->High; }
 

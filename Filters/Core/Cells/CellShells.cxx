@@ -60,6 +60,8 @@ private:
   void FormGroups();
   void FindHeights();
 
+  std::vector<PatchMesh> BuildAll() const;
+  bool IsWithinBounds(const std::vector<PatchMesh>& shells) const;
   PatchMesh BuildShell(const ShellGroup& group, double depth) const;
   PatchMesh BuildSmallest(const ShellGroup& group, double minimum, double maximum) const;
   void AddWalls(const CellRegion& region, PatchMesh& shell) const;
@@ -348,11 +350,8 @@ PatchMesh CellShells::BuildSmallest(const ShellGroup& group, double minimum, dou
   return best;
 }
 
-std::vector<PatchMesh> CellShells::Run()
+std::vector<PatchMesh> CellShells::BuildAll() const
 {
-  this->ChooseRoot();
-  this->FormGroups();
-  this->FindHeights();
   int highest = 1;
   for (const ShellGroup& group : this->Groups)
   {
@@ -380,6 +379,30 @@ std::vector<PatchMesh> CellShells::Run()
         this->BuildSmallest(group, minimum, group.IsContained ? maximum : DeepestWaist));
     }
     Compact(shells.back());
+  }
+  return shells;
+}
+
+bool CellShells::IsWithinBounds(const std::vector<PatchMesh>& shells) const
+{
+  return std::all_of(shells.begin(), shells.end(),
+    [this](const PatchMesh& shell)
+    {
+      return std::all_of(shell.Points.begin(), shell.Points.end(),
+        [this](const Point3& point) { return this->Geometry.Grid.IsWithinBounds(point); });
+    });
+}
+
+std::vector<PatchMesh> CellShells::Run()
+{
+  this->ChooseRoot();
+  this->FormGroups();
+  this->FindHeights();
+  std::vector<PatchMesh> shells = this->BuildAll();
+  if (!this->IsWithinBounds(shells))
+  {
+    this->Regions.ClipToBounds();
+    shells = this->BuildAll();
   }
   return shells;
 }

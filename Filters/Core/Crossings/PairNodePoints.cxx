@@ -56,6 +56,7 @@ void MoveApart(const SpatialGrid& grid, const NodesOfEdge& range, NodePoints& no
   const Index slab = range.Edge.Slab, first = range.First, last = range.Last;
   double low, high;
   grid.GetExtent(t, slab, nodes.Position[first], nodes.Position[last - 1], low, high);
+  grid.ClipToBounds(t, low, high);
   // Half of what there would be for each at equal distances: so all of them find room.
   const double gap = std::min(grid.Margin(t, slab), (high - low) / (2.0 * (last - first + 1)));
   for (Index node = first + 1; node < last; ++node)
@@ -64,7 +65,8 @@ void MoveApart(const SpatialGrid& grid, const NodesOfEdge& range, NodePoints& no
     nodes.Position[node] = grid.Round(std::max(nodes.Position[node], minimum));
   }
   // What was pushed beyond the end goes back, and takes those before it along.
-  double maximum = slab < grid.Count(t) ? high - gap : nodes.Position[last - 1];
+  double maximum =
+    slab < grid.Count(t) ? high - gap : std::min(high - gap, nodes.Position[last - 1]);
   for (Index node = last - 1; node >= first && nodes.Position[node] > maximum; --node)
   {
     nodes.Position[node] = grid.Round(maximum);

@@ -20,13 +20,14 @@ enum class RepairKind
   ArcsRedrawn = 5,      ///< arcs that touched on a face of M were drawn anew
   ArcsReconnected = 6,  ///< the same, and their ends were joined in another way
   PatchesSeparated = 7, ///< patches that crossed within a cell became shells
-  ArcsUncrossed = 8     ///< arcs that crossed on a face of M pass their vertices in another order
+  ArcsUncrossed = 8,    ///< arcs that crossed on a face of M pass their vertices in another order
+  ContourInserted = 9   ///< a contour that a slice lacks was interpolated; see MissingContours
 };
 
 /**
  * A repair and its place. Size, in world units: distance from the vertex to the overruled slice's
  * nearest crossing (plane spacing if there is none); distance of the two crossings; length of the
- * new arcs (twice); length of the border of the patch; by how much the arcs became shorter.
+ * new arcs (twice); length of the border of the patch; by how much the arcs became shorter; length of the contour.
  */
 struct Repair
 {
@@ -34,7 +35,7 @@ struct Repair
   int Axis;    ///< of the slice that was changed; -1 for patches
   Index Plane; ///< of that slice; -1 for patches
   Point3
-    Where; ///< the vertex, the middle of the crossings, the middle of the new arcs or of the border
+    Where; ///< the vertex, the middle of the crossings, of the new arcs or contour, or of the border
   double Size;
 };
 

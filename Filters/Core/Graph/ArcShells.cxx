@@ -39,6 +39,8 @@ private:
   bool Interlock() const;
   void Reconnect();
   void FindRectangle();
+  void ClipToBounds();
+  bool IsWithinBounds() const;
   void Draw();
   void DrawArc(std::size_t first, std::size_t last, double depth);
   Point3 Inward(const Point2& p, double depth) const;
@@ -124,6 +126,21 @@ void ShellDrawer::FindRectangle()
   }
 }
 
+void ShellDrawer::ClipToBounds()
+{
+  for (int side = 0; side < 2; ++side)
+  {
+    this->Geometry.Grid.ClipToBounds(
+      (this->Rectangle.Axis + 1 + side) % 3, this->Low[side], this->High[side]);
+  }
+}
+
+bool ShellDrawer::IsWithinBounds() const
+{
+  return std::all_of(this->Result.Points.begin(), this->Result.Points.end(),
+    [this](const Point3& point) { return this->Geometry.Grid.IsWithinBounds(point); });
+}
+
 /// A point of the border moved towards the centre.
 Point3 ShellDrawer::Inward(const Point2& p, double depth) const
 {
@@ -162,6 +179,9 @@ void ShellDrawer::DrawArc(std::size_t first, std::size_t last, double depth)
 
 void ShellDrawer::Draw()
 {
+  this->Result.Points.clear();
+  this->Result.Arcs.clear();
+  this->Result.Offsets.assign(1, 0);
   struct Open
   {
     std::size_t End;
@@ -220,6 +240,11 @@ FaceDrawing ShellDrawer::Run(const FaceArcs& face)
   }
   this->FindRectangle();
   this->Draw();
+  if (!this->IsWithinBounds())
+  {
+    this->ClipToBounds();
+    this->Draw();
+  }
   this->Describe(reconnect);
   return std::move(this->Result);
 }

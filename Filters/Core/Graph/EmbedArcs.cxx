@@ -116,6 +116,7 @@ Point2 ArcEmbedder::Bump(const Face& face, Index start, Index stop) const
   const int axis = (face.Axis + 1 + across) % 3;
   double low, high;
   grid.GetExtent(axis, face.Slab[across], from[across], from[across], low, high);
+  grid.ClipToBounds(axis, low, high);
   // A quarter of the length, so that bumps within bumps do not touch.
   const double depth = std::min(0.25 * std::abs(to[along] - from[along]), 0.125 * (high - low));
   const bool lower = edge == 0 || edge == 3;

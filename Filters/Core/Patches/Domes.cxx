@@ -21,6 +21,13 @@ constexpr double MinUpward = 0.1;
 /// the loop is nearest to the top of the dome, and the quadratic must pass through it.
 constexpr double WeightOfLoop = 10.0;
 
+/**
+ * What the last section encloses, as a part of the section before, from which the object ends flat.
+ * A ball of radius R cut at distance h has at most (n - 1) / (2 n - 4) there, n = 2 R / h: 0.75 for
+ * four slices, less for more; a cone has a quarter. The rest is left for noise.
+ */
+constexpr double MinShareOfFlatEnd = 0.9;
+
 /// A loop as its dome has it.
 struct DomeBase
 {
@@ -151,21 +158,64 @@ double DomeFit::HeightOver(const DomeBase& base, Index polygon)
   }
   return unit * fit.HeightAtOrigin();
 }
-}
 
-void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
-  const std::vector<double>& nodeNormals, std::vector<double>& centralPoints)
+/// The cycles of each loop, below its slice and above.
+std::vector<std::array<Index, 2>> SidesOfLoops(const CycleGeometry& geometry)
 {
-  const CellCycles& cycles = geometry.Cycles;
-  // The cycles of each loop, below its slice and above.
   std::vector<std::array<Index, 2>> sides(geometry.Graph.Loops.size(), { -1, -1 });
-  for (Index cycle = 0; cycle < cycles.Count() && !sides.empty(); ++cycle)
+  for (Index cycle = 0; cycle < geometry.Cycles.Count() && !sides.empty(); ++cycle)
   {
     if (geometry.IsLoop(cycle))
     {
       sides[geometry.LoopOf(cycle)][geometry.FirstArc(cycle).Above ? 1 : 0] = cycle;
     }
   }
+  return sides;
+}
+
+/// The areas that the loops of a patch enclose on the slice below it and on the one above.
+std::array<double, 2> AreasAtEnds(const CycleGeometry& geometry, const PatchMesh& patch)
+{
+  std::array<double, 2> areas{ 0.0, 0.0 };
+  DomeBase base;
+  for (const Index cycle : patch.Cycles)
+  {
+    base.Set(geometry, cycle);
+    areas[geometry.FirstArc(cycle).Above ? 0 : 1] += base.Area;
+  }
+  return { std::abs(areas[0]), std::abs(areas[1]) };
+}
+
+/// For each cycle, 1 if it is that of a loop on the last slice beyond which the object ends flat.
+std::vector<std::uint8_t> FindFlatEnds(
+  const CycleGeometry& geometry, const std::vector<PatchMesh>& stitched)
+{
+  const std::vector<std::array<Index, 2>> sides = SidesOfLoops(geometry);
+  std::vector<std::uint8_t> isFlat(static_cast<std::size_t>(geometry.Cycles.Count()), 0);
+  for (const PatchMesh& patch : stitched)
+  {
+    const std::array<double, 2> areas = AreasAtEnds(geometry, patch);
+    for (const Index cycle : patch.Cycles)
+    {
+      const bool above = geometry.FirstArc(cycle).Above;
+      const double last = areas[above ? 0 : 1], before = areas[above ? 1 : 0];
+      const Face& loop = geometry.Graph.Loops[geometry.LoopOf(cycle)];
+      const bool isLast = loop.Plane == (above ? 0 : geometry.Grid.Count(loop.Axis) - 1);
+      if (isLast && before > 0.0 && last >= MinShareOfFlatEnd * before)
+      {
+        isFlat[sides[geometry.LoopOf(cycle)][above ? 0 : 1]] = 1;
+      }
+    }
+  }
+  return isFlat;
+}
+}
+
+void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
+  const std::vector<double>& nodeNormals, std::vector<double>& centralPoints)
+{
+  const CellCycles& cycles = geometry.Cycles;
+  const std::vector<std::array<Index, 2>> sides = SidesOfLoops(geometry);
   DomeFit fit(geometry, nodeNormals);
   DomeBase base;
   for (const auto& range : cells.Several)
@@ -195,6 +245,39 @@ void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
         const double place = base.Center[base.Axis] + base.Up * height;
         apex[base.Axis] = geometry.Grid.MoveInside(
           base.Axis, cycles.Cell[dome][base.Axis], place, CentralPointMargin);
+      }
+    }
+  }
+}
+
+void FlattenEnds(const CycleGeometry& geometry, std::vector<PatchMesh>& stitched,
+  std::vector<double>& centralPoints)
+{
+  const CellCycles& cycles = geometry.Cycles;
+  const std::vector<std::uint8_t> isFlat = FindFlatEnds(geometry, stitched);
+  const auto heightOf = [&](Index cycle)
+  {
+    const Face& loop = geometry.Graph.Loops[geometry.LoopOf(cycle)];
+    return geometry.Grid.MoveInside(loop.Axis, cycles.Cell[cycle][loop.Axis],
+      geometry.Grid.Planes[loop.Axis][loop.Plane], CentralPointMargin);
+  };
+  for (Index cycle = 0; cycle < cycles.Count(); ++cycle)
+  {
+    if (isFlat[cycle] != 0)
+    {
+      const int axis = geometry.Graph.Loops[geometry.LoopOf(cycle)].Axis;
+      centralPoints[3 * static_cast<std::size_t>(cycle) + axis] = heightOf(cycle);
+    }
+  }
+  for (PatchMesh& patch : stitched)
+  {
+    if (std::all_of(patch.Cycles.begin(), patch.Cycles.end(),
+          [&](Index cycle) { return isFlat[cycle] != 0; }))
+    {
+      const Index cycle = patch.Cycles.front();
+      for (Point3& point : patch.Points)
+      {
+        point[geometry.Graph.Loops[geometry.LoopOf(cycle)].Axis] = heightOf(cycle);
       }
     }
   }

@@ -20,6 +20,18 @@ void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
   const std::vector<double>& nodeNormals, std::vector<double>& centralPoints);
 
 /**
+ * Flattens what lies beyond the last slices where the object ends flat, as far as slices of one
+ * family tell: where the patch between the last two slices has loops on both, and those on the last
+ * one enclose no less than nine tenths of what those before enclose. So boxes and cylinders end at
+ * their last slice, and balls and cones, whose sections shrink towards their ends, in domes as high
+ * as half the spacing or as wide as their loop. `stitched` are the patches between the slices and
+ * beyond them. Central points and all points of patches beyond a slice move to the least height
+ * over it that a central point has.
+ */
+void FlattenEnds(const CycleGeometry& geometry, std::vector<PatchMesh>& stitched,
+  std::vector<double>& centralPoints);
+
+/**
  * Estimates, for each loop, the component along its axis of the surface's outward unit normals, as
  * if its dome was a part of a sphere; 0 for loops without a dome, or with two. A dome as high as
  * its loop is wide is a hemisphere, whose normals at the loop lie in the slice.

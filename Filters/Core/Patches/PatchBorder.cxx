@@ -9,23 +9,14 @@ namespace orthoslices
 {
 namespace
 {
-/// The part of a cell in which the points inside a patch may be: without limit where the cell has
-/// none.
+/// The part of a cell in which the points inside a patch may be.
 Box3 RoomInside(const SpatialGrid& grid, const std::array<Index, 3>& cell)
 {
   Box3 room;
   for (int axis = 0; axis < 3; ++axis)
   {
-    room.Low[axis] = -HUGE_VAL;
-    room.High[axis] = HUGE_VAL;
-    if (cell[axis] > 0)
-    {
-      room.Low[axis] = grid.MoveInside(axis, cell[axis], -HUGE_VAL, InnerMargin);
-    }
-    if (cell[axis] < grid.Count(axis))
-    {
-      room.High[axis] = grid.MoveInside(axis, cell[axis], HUGE_VAL, InnerMargin);
-    }
+    room.Low[axis] = grid.MoveInside(axis, cell[axis], -HUGE_VAL, InnerMargin);
+    room.High[axis] = grid.MoveInside(axis, cell[axis], HUGE_VAL, InnerMargin);
   }
   return room;
 }

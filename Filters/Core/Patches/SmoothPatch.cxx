@@ -167,7 +167,22 @@ bool SmoothPatchBuilder::SearchHeight(
   return false;
 }
 
-void SmoothPatchBuilder::PlacePoint(
+/// Whether a place lies a whole spacing or more beyond the contours, half of it beyond the bounds:
+/// had the surface been there, one more slice would have cut it.
+bool SmoothPatchBuilder::RunsAway(const Point3& place) const
+{
+  bool away = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double beyond = 0.5 * this->Grid.SpacingAtEnds[axis];
+    away = away || place[axis] < this->Grid.Lowest[axis] - beyond ||
+      place[axis] > this->Grid.Highest[axis] + beyond;
+  }
+  return away;
+}
+
+/// Adds a point to the patch. False if the surface runs away from the contours there.
+bool SmoothPatchBuilder::PlacePoint(
   const PatchBorder& border, const Point2& p, InnerPatch& patch) const
 {
   double z;
@@ -183,6 +198,10 @@ void SmoothPatchBuilder::PlacePoint(
   }
   // Along the line, unless that is much farther.
   const Point3 wanted = this->View.ToWorld(this->View.OnLine(p, z));
+  if (this->RunsAway(wanted))
+  {
+    return false;
+  }
   const Point3 nearest = border.MoveInside(this->Grid, wanted);
   const Point3 onLine =
     this->View.ToWorld(this->View.OnLine(p, this->View.Clamp(p, border.Room, z)));
@@ -191,6 +210,7 @@ void SmoothPatchBuilder::PlacePoint(
   const Point3 place = isNear ? border.MoveInside(this->Grid, onLine) : nearest;
   patch.Points.push_back(place);
   patch.Normals.push_back(Unit(this->View.DirectionToWorld(gradient)));
+  return true;
 }
 
 bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)
@@ -219,7 +239,10 @@ bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)
   }
   for (std::size_t i = polygon.size(); i < this->Disc.Points.size(); ++i)
   {
-    this->PlacePoint(border, this->Disc.Points[i], patch);
+    if (!this->PlacePoint(border, this->Disc.Points[i], patch))
+    {
+      return false;
+    }
   }
   for (const LinkedTriangle& triangle : this->Disc.Triangles)
   {

@@ -33,7 +33,8 @@ public:
   {
   }
 
-  /// False if the border cannot be seen as a whole or leaves no room for the precision.
+  /// False if the border cannot be seen as a whole or leaves no room for the precision, or if the
+  /// surface runs away from the contours.
   bool Build(const PatchBorder& border, InnerPatch& patch);
   /// How far the border of the last patch lies off a surface without creases, in world units.
   double Deviation() const { return this->View.Radius() * this->Surface.Deviation(); }
@@ -43,7 +44,8 @@ private:
   double HeightAtBorder(const Point2& p) const;
   bool FindHeight(const Point2& p, double& z, Point3& gradient) const;
   bool SearchHeight(const Point2& p, double guess, double& z, Point3& gradient) const;
-  void PlacePoint(const PatchBorder& border, const Point2& p, InnerPatch& patch) const;
+  bool RunsAway(const Point3& place) const;
+  bool PlacePoint(const PatchBorder& border, const Point2& p, InnerPatch& patch) const;
 
   const SpatialGrid& Grid;
   PatchResolution Resolution;

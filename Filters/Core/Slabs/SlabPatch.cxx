@@ -115,10 +115,12 @@ Point3 PatchMaker::Place(const Point3& point) const
   Point3 placed;
   placed[this->Source.Axis] = this->Source.Geometry.Grid.MoveInside(
     this->Source.Axis, this->Group.Slab, low + point[2] * width);
-  placed[FirstAxis(this->Source.Axis)] =
-    this->Source.Geometry.Grid.Round(point[0] + point[2] * this->Group.Shift[0]);
-  placed[SecondAxis(this->Source.Axis)] =
-    this->Source.Geometry.Grid.Round(point[1] + point[2] * this->Group.Shift[1]);
+  const std::array<int, 2> axes{ FirstAxis(this->Source.Axis), SecondAxis(this->Source.Axis) };
+  for (int i = 0; i < 2; ++i)
+  {
+    placed[axes[i]] = this->Source.Geometry.Grid.MoveIntoBounds(
+      axes[i], point[i] + point[2] * this->Group.Shift[i]);
+  }
   return placed;
 }
 

@@ -20,7 +20,8 @@ std::vector<Point2> Smooth(const SpatialGrid& grid, double length, double corner
   for (Index i = 0; i < curve.Count(); ++i)
   {
     const Point2 place = curve.IsCorner(i) ? curve[i] : curve.FitAt(i, length * spacing).Place;
-    const Point2 rounded{ grid.Round(place[0]), grid.Round(place[1]) };
+    const Point2 rounded{ grid.MoveIntoBounds(FirstAxis(axis), place[0]),
+      grid.MoveIntoBounds(SecondAxis(axis), place[1]) };
     if (smooth.empty() || rounded != smooth.back())
     {
       smooth.push_back(rounded);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Slices/SpatialGrid.h"
 
+#include "Core/Base/Box.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -9,6 +11,16 @@
 
 namespace orthoslices
 {
+namespace
+{
+/// Planes that are fewer steps of the precision apart become one: closer ones leave no room for 16
+/// steps of Margin on both sides and for a few patches between them.
+constexpr double MinDistanceOfPlanes = 256.0;
+
+/// Room that patches have beyond virtual contours, in SpacingAtEnds: far more than the Margin.
+constexpr double RoomBeyondVirtual = 0.01;
+}
+
 double SpatialGrid::Margin(int axis, Index slab) const
 {
   // A millionth of the slab is far below the detail of any contour and far above rounding: 16 steps
@@ -28,8 +40,8 @@ double SpatialGrid::MoveInside(int axis, Index slab, double coordinate, double s
   const bool above = slab < this->Count(axis);
   const double width = below && above ? planes[slab] - planes[slab - 1] : this->MeanSpacing(axis);
   const double margin = std::max(this->Margin(axis, slab), share * width);
-  coordinate = below ? std::max(coordinate, planes[slab - 1] + margin) : coordinate;
-  coordinate = above ? std::min(coordinate, planes[slab] - margin) : coordinate;
+  coordinate = std::max(coordinate, below ? planes[slab - 1] + margin : this->Lowest[axis]);
+  coordinate = std::min(coordinate, above ? planes[slab] - margin : this->Highest[axis]);
   return this->Round(coordinate);
 }
 
@@ -128,39 +140,107 @@ void DropFlagsOfReal(SpatialGrid& grid)
 
 namespace
 {
-/// Sets the steps of the precision and the extents from the coordinates of all contours.
-void FindExtent(const Contours& contours, SpatialGrid& grid)
+/// The box around all contours, or around those of real planes.
+Box3 FindBox(const Contours& contours, bool withVirtual)
 {
-  Point3 low, high;
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-std::numeric_limits<double>::infinity());
-  const auto extend = [&](int axis, double x)
-  {
-    low[axis] = std::min(low[axis], x);
-    high[axis] = std::max(high[axis], x);
-  };
+  Box3 box;
   for (Index i = 0; i < contours.Count(); ++i)
   {
+    if (!withVirtual && contours.IsVirtual(i))
+    {
+      continue;
+    }
     const int axis = contours.Axis[i];
-    extend(axis, contours.Coordinate[i]);
+    box.Add(axis, contours.Coordinate[i]);
     for (Index v = contours.Offsets[i]; v < contours.Offsets[i + 1]; ++v)
     {
-      extend(FirstAxis(axis), contours.U[v]);
-      extend(SecondAxis(axis), contours.V[v]);
+      box.Add(FirstAxis(axis), contours.U[v]);
+      box.Add(SecondAxis(axis), contours.V[v]);
     }
   }
+  return box;
+}
+
+/// Sets the steps of the precision and the extents from the box around all contours.
+void FindExtent(const Box3& box, SpatialGrid& grid)
+{
   const double epsilon = grid.SinglePrecision ? std::numeric_limits<float>::epsilon()
                                               : std::numeric_limits<double>::epsilon();
   double longest = 0.0;
-  for (int axis = 0; axis < 3 && contours.Count() > 0; ++axis)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    grid.Step[axis] = epsilon * std::max(std::abs(low[axis]), std::abs(high[axis]));
-    grid.Extent[axis] = high[axis] - low[axis];
+    grid.Step[axis] = epsilon * std::max(std::abs(box.Low[axis]), std::abs(box.High[axis]));
+    grid.Extent[axis] = box.High[axis] - box.Low[axis];
     longest = std::max(longest, grid.Extent[axis]);
   }
   for (double& extent : grid.Extent)
   {
     extent = extent > 0.0 ? extent : longest;
+  }
+}
+
+/// The number of the grid's precision next to x, but not beyond it on the side of `outwards`.
+double RoundInwards(const SpatialGrid& grid, double x, double outwards)
+{
+  const double rounded = grid.Round(x);
+  const bool isBeyond = outwards < 0.0 ? rounded < x : rounded > x;
+  return isBeyond ? std::nextafter(static_cast<float>(rounded), static_cast<float>(-outwards))
+                  : rounded;
+}
+
+/// Mean distance of the real planes of an axis; infinite if there are fewer than two.
+double MeanSpacingOfReal(const SpatialGrid& grid, int axis)
+{
+  std::vector<double> real;
+  for (Index i = 0; i < grid.Count(axis); ++i)
+  {
+    if (!grid.IsVirtual(axis, i))
+    {
+      real.push_back(grid.Planes[axis][i]);
+    }
+  }
+  return real.size() < 2 ? HUGE_VAL : (real.back() - real.front()) / (real.size() - 1.0);
+}
+
+/// Sets how far apart slices are at the ends of the object. REQUIRES: a box around real contours.
+void SetSpacingAtEnds(const Box3& box, SpatialGrid& grid)
+{
+  Point3 mean, extent;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    mean[axis] = MeanSpacingOfReal(grid, axis);
+    extent[axis] = box.High[axis] - box.Low[axis];
+  }
+  const double longest = *std::max_element(extent.begin(), extent.end());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double spacing = mean[axis];
+    if (!std::isfinite(spacing))
+    {
+      spacing = std::min(0.5 * (extent[axis] > 0.0 ? extent[axis] : longest),
+        *std::min_element(mean.begin(), mean.end()));
+    }
+    grid.SpacingAtEnds[axis] = std::max(spacing, MinDistanceOfPlanes * grid.Step[axis]);
+  }
+}
+
+/// Sets the bounds of the surface, if there are real contours: these lie in the box, and all in the
+/// other one. REQUIRES: the planes are known.
+void SetBounds(const Box3& box, const Box3& all, SpatialGrid& grid)
+{
+  if (!(box.Low[0] <= box.High[0]))
+  {
+    return;
+  }
+  SetSpacingAtEnds(box, grid);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double beyond = 0.5 * grid.SpacingAtEnds[axis];
+    const double beyondVirtual = RoomBeyondVirtual * grid.SpacingAtEnds[axis];
+    const double low = std::min(box.Low[axis] - beyond, all.Low[axis] - beyondVirtual);
+    const double high = std::max(box.High[axis] + beyond, all.High[axis] + beyondVirtual);
+    grid.Lowest[axis] = RoundInwards(grid, low, -HUGE_VAL);
+    grid.Highest[axis] = RoundInwards(grid, high, HUGE_VAL);
   }
 }
 }
@@ -169,7 +249,11 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
 {
   SpatialGrid grid;
   grid.SinglePrecision = singlePrecision;
-  FindExtent(contours, grid);
+  const Box3 box = FindBox(contours, true);
+  if (contours.Count() > 0)
+  {
+    FindExtent(box, grid);
+  }
   contours.Plane.assign(contours.Count(), 0);
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -183,7 +267,7 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
     }
     std::stable_sort(order.begin(), order.end(),
       [&](Index a, Index b) { return contours.Coordinate[a] < contours.Coordinate[b]; });
-    const double reach = std::max(tolerance, 256.0 * grid.Step[axis]);
+    const double reach = std::max(tolerance, MinDistanceOfPlanes * grid.Step[axis]);
     std::size_t first = 0;
     for (std::size_t i = 1; i <= order.size(); ++i)
     {
@@ -196,6 +280,7 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
     }
   }
   DropFlagsOfReal(grid);
+  SetBounds(FindBox(contours, false), box, grid);
   return grid;
 }
 }

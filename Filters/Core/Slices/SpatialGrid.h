@@ -6,6 +6,7 @@
 #include "Core/Base/Contours.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace orthoslices
@@ -14,7 +15,8 @@ namespace orthoslices
  * The spatial grid M of the paper (section 4): the planes of all slices, ascending and distinct on
  * each axis, and the cells, faces, edges and vertices between them.
  *
- * *Slab* k of an axis lies between planes k - 1 and k; slab 0 and slab n (n planes) are unbounded.
+ * *Slab* k of an axis lies between planes k - 1 and k; slab 0 and slab n (n planes) reach
+ * from the outermost planes to the bounds of the surface (Lowest, Highest).
  * A coordinate equal to a plane's lies on its upper side. This symbolic rule, used everywhere, is
  * why no singular cases exist (contours through grid edges, vertices on planes, collinear
  * segments).
@@ -38,6 +40,21 @@ struct SpatialGrid
   /// Length of the box around all contours along each axis; where it is zero, the greatest of the
   /// three.
   Point3 Extent{ 0.0, 0.0, 0.0 };
+  /**
+   * How far apart slices are at the ends of the object: the mean spacing of the axis' real planes.
+   * An axis with fewer than two of them takes the least of those of the other axes, which tells how
+   * fine the object is sampled, but no more than half the extent of the contours along it (where
+   * that is zero, of their greatest extent), which is what one plane in the middle leaves on each
+   * side. Never less than planes are apart at least, 256 steps of the precision, so that there is
+   * room for what lies beyond the outermost ones.
+   */
+  Point3 SpacingAtEnds{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
+  /// The bounds of the surface, values of the precision: the box around all contours of real planes,
+  /// widened by half of SpacingAtEnds on each side, and by more where virtual contours (which should
+  /// end two hundredths of SpacingAtEnds before that) would else not be within. All points that are
+  /// placed in a cell lie within them. Without contours there are none.
+  Point3 Lowest{ -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
+  Point3 Highest{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
 
   Index Count(int axis) const { return static_cast<Index>(this->Planes[axis].size()); }
 
@@ -105,13 +122,37 @@ struct SpatialGrid
       (slab == this->Count(axis) || coordinate < planes[slab]);
   }
 
-  /// Moves a coordinate into the slab, `share` of its width (at least the Margin) away from its
-  /// ends.
+  /// Moves a coordinate into the slab: `share` of its width (at least the Margin) away from its
+  /// planes, and not beyond the bounds of the surface.
   double MoveInside(int axis, Index slab, double coordinate, double share = 0.0) const;
 
-  /// The ends of a slab; an unbounded one ends one mean spacing beyond the range [least, most].
+  /// Moves a coordinate into the bounds of the surface, as it will be in the result.
+  double MoveIntoBounds(int axis, double coordinate) const
+  {
+    return std::max(this->Lowest[axis], std::min(this->Highest[axis], this->Round(coordinate)));
+  }
+
+  /// The ends of a slab; an outermost one ends a mean spacing beyond the range [minimum, maximum],
+  /// or once more its length, whatever the bounds of the surface are.
   void GetExtent(
     int axis, Index slab, double minimum, double maximum, double& low, double& high) const;
+
+  /// The part of a range that is within the bounds of the surface.
+  void ClipToBounds(int axis, double& low, double& high) const
+  {
+    low = std::max(low, this->Lowest[axis]);
+    high = std::min(high, this->Highest[axis]);
+  }
+
+  bool IsWithinBounds(const Point3& point) const
+  {
+    bool within = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      within = within && this->Lowest[axis] <= point[axis] && point[axis] <= this->Highest[axis];
+    }
+    return within;
+  }
 
   /// Mean distance of consecutive planes; the extent of all contours where there is only one
   /// plane.
@@ -122,7 +163,7 @@ struct SpatialGrid
                              : (planes.back() - planes.front()) / (planes.size() - 1.0);
   }
 
-  /// Width of a slab; the mean spacing for an unbounded one.
+  /// Width of a slab; the mean spacing for an outermost one.
   double Width(int axis, Index slab) const
   {
     const auto& planes = this->Planes[axis];
@@ -194,7 +235,7 @@ private:
  * Finds the planes of all contours and sets Contours::Plane. Planes closer than `tolerance`, or
  * than a few dozen steps of the precision, to the first of a group become one at the median
  * coordinate of the group's contours; the contours move onto it. A plane is virtual if all of its
- * contours are; otherwise these have no say in its coordinate.
+ * contours are; otherwise these have no say in its coordinate. Sets the bounds of the surface.
  */
 SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePrecision = false);
 }

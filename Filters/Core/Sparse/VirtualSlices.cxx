@@ -7,6 +7,7 @@
 #include "Core/Sparse/RemeshSurface.h"
 #include "Core/Sparse/SubdivideSurface.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <utility>
 
@@ -60,6 +61,17 @@ Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches
   {
     return contours; // not reached: collapses, flips and splits keep it closed
   }
+  const SpatialGrid& grid = geometry.Grid;
+  for (Point3& point : surface.Points)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      // Patches need room beyond the contours, but must not leave the bounds of the real ones.
+      const double room = 0.02 * grid.SpacingAtEnds[axis];
+      point[axis] = grid.Round(
+        std::max(grid.Lowest[axis] + room, std::min(grid.Highest[axis] - room, point[axis])));
+    }
+  }
   Box3 box;
   for (const auto& triangle : surface.Triangles)
   {
@@ -68,7 +80,6 @@ Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches
       box.Add(surface.Points[point]);
     }
   }
-  const SpatialGrid& grid = geometry.Grid;
   const Precision precision = grid.SinglePrecision ? Precision::Single : Precision::Double;
   const VirtualPlanes planes = ChooseVirtualPlanes(grid, box, density);
   for (int axis = 0; axis < 3; ++axis)

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -125,5 +126,63 @@ TEST(Domes, AreRoundWhereNothingIsKnown)
     TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes))
   {
     EXPECT_EQ(tilt, 0.0); // the surface is upright: domes on both sides
+  }
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// How far the surface of a solid cut at -2.5, -1.5 to 2.5 along one axis reaches beyond the last
+/// slices, below and above.
+std::array<double, 2> HeightsBeyondSlices(
+  int axis, const std::function<double(double along, double u, double v)>& function)
+{
+  Solid solid;
+  solid.Low = { -4.0, -4.0, -4.0 };
+  solid.High = { 4.0, 4.0, 4.0 };
+  solid.Function = [&](const Point3& p)
+  { return function(p[axis], p[FirstAxis(axis)], p[SecondAxis(axis)]); };
+  PlaneSets planes;
+  planes[axis] = { -2.5, -1.5, -0.5, 0.5, 1.5, 2.5 };
+  const Reconstruction result =
+    Reconstruct(SliceSolid(solid, planes, 60, InPlaneGrid::Free), Options(), Execution());
+  EXPECT_EQ(result.Topology.Components, 1);
+  std::array<double, 2> heights{ 0.0, 0.0 };
+  for (const Point3& p : MeshOf(result).Points)
+  {
+    heights[0] = std::max(heights[0], -2.5 - p[axis]);
+    heights[1] = std::max(heights[1], p[axis] - 2.5);
+  }
+  return heights;
+}
+}
+
+/// Sections that do not shrink end at the last slice; those of balls and at tips of cones in domes.
+TEST(Domes, AreFlatWhereTheLastTwoSectionsSaySo)
+{
+  constexpr double flat = 2.0 * 1e-3, least = 0.3, most = 0.5;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    SCOPED_TRACE(axis);
+    const auto box = HeightsBeyondSlices(axis,
+      [](double w, double u, double v) {
+        return std::max({ std::abs(w) - 2.6, std::abs(u) - 1.7, std::abs(v) - 1.2 });
+      });
+    EXPECT_LT(std::max(box[0], box[1]), flat);
+    const auto cylinder = HeightsBeyondSlices(axis,
+      [](double w, double u, double v)
+      { return std::max(std::abs(w) - 2.6, std::hypot(u - 0.1 * w, v) - 1.5); });
+    EXPECT_LT(std::max(cylinder[0], cylinder[1]), flat);
+    const auto ball = HeightsBeyondSlices(
+      axis, [](double w, double u, double v) { return std::hypot(w, u, v) - 2.95; });
+    EXPECT_GT(std::min(ball[0], ball[1]), least);
+    EXPECT_LE(std::max(ball[0], ball[1]), most);
+    // A cone with its foot below: flat there, and a tip above.
+    const auto cone = HeightsBeyondSlices(axis,
+      [](double w, double u, double v)
+      { return std::max(-2.6 - w, std::hypot(u, v) - 0.5 * (2.95 - w)); });
+    EXPECT_LT(cone[0], flat);
+    EXPECT_GT(cone[1], flat);
+    EXPECT_LE(cone[1], most);
   }
 }

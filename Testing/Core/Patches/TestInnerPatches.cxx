@@ -219,13 +219,13 @@ TEST(InnerPatches, ThatTouchGiveWayToFans)
   const std::vector<Index> sheets = CyclesIn(stages, { 1, 1, 0 });
   ASSERT_EQ(sheets.size(), 2u);
   // Flat, or bent away from each other: they do not touch.
-  for (const double slope : { 0.0, 1.0 })
+  for (const double slope : { 0.0, 0.15 })
   {
     Bend(stages, slope, borders.Normals);
     const InnerPatches apart = borders.Build(With(PatchMethod::Smooth));
     EXPECT_TRUE(Has(apart, sheets[0]) && Has(apart, sheets[1])) << slope;
   }
-  Bend(stages, -1.0, borders.Normals);
+  Bend(stages, -0.25, borders.Normals);
   const InnerPatches touching = borders.Build(With(PatchMethod::Smooth));
   EXPECT_FALSE(Has(touching, sheets[0]) || Has(touching, sheets[1]));
 }
@@ -237,7 +237,7 @@ TEST(InnerPatches, OthersStayWhenSomeGiveWay)
   const Stages stages = Plate();
   Borders borders(stages);
   const std::vector<Index> sheets = CyclesIn(stages, { 1, 1, 0 });
-  Bend(stages, -1.0, borders.Normals);
+  Bend(stages, -0.25, borders.Normals);
   const InnerPatches few = borders.Build(With(PatchMethod::Smooth));
   borders.Cells.Several.clear(); // nothing is compared
   const InnerPatches all = borders.Build(With(PatchMethod::Smooth));

@@ -143,11 +143,11 @@ TEST(PatchBorder, MovesPointsStrictlyInsideTheCell)
   const PatchBorder middle = BorderIn(stages, { 0, 1, 1 });
   const Point3 inside{ 0.4, 1.3, 1.7 };
   EXPECT_EQ(middle.MoveInside(stages.Grid, inside), inside);
-  // Slab 0 of x has no lower end.
+  // Slab 0 of x ends at the bounds of the surface: half a spacing beyond the cube, at 0.
   const Point3 far = middle.MoveInside(stages.Grid, { -50.0, 0.0, 9.0 });
-  EXPECT_EQ(far[0], -50.0);
+  EXPECT_EQ(far[0], 0.0);
   EXPECT_GT(far[1], 1.0);
   EXPECT_LT(far[2], 2.0);
-  ExpectNear(far, { -50.0, 1.0, 2.0 }, 2.0 * InnerMargin);
+  ExpectNear(far, { 0.0, 1.0, 2.0 }, 2.0 * InnerMargin);
   EXPECT_LT(middle.MoveInside(stages.Grid, { 1.0, 1.5, 1.5 })[0], 1.0);
 }

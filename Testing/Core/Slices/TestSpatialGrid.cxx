@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 using namespace orthoslices;
@@ -183,4 +184,78 @@ TEST(SpatialGrid, APlaneWithARealContourIsReal)
   const SpatialGrid grid = BuildSpatialGrid(contours, 0.1);
   EXPECT_FALSE(grid.HasVirtual());
   EXPECT_EQ(grid.Planes[2], (std::vector<double>{ 1.0 }));
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// The grid of squares from -1 to 1 on these planes of x, y and z.
+SpatialGrid GridOfSquares(const std::array<std::vector<double>, 3>& planes, bool single = false)
+{
+  Contours contours;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double plane : planes[axis])
+    {
+      contours.U.insert(contours.U.end(), { -1.0, 1.0, 1.0, -1.0 });
+      contours.V.insert(contours.V.end(), { -1.0, -1.0, 1.0, 1.0 });
+      contours.Offsets.push_back(static_cast<Index>(contours.U.size()));
+      contours.Axis.push_back(static_cast<std::int8_t>(axis));
+      contours.Coordinate.push_back(plane);
+      contours.Cell.push_back(0);
+    }
+  }
+  return BuildSpatialGrid(contours, 0.0, single);
+}
+}
+
+TEST(SpatialGrid, BoundsAreHalfASpacingBeyondTheContours)
+{
+  const SpatialGrid grid = GridOfSquares({ { { -0.5, 0.0, 0.5 }, { 0.0 }, { -2.0, 0.0, 3.0 } } });
+  EXPECT_EQ(
+    grid.Lowest, (Point3{ -1.25, -1.25, -3.25 })); // y takes the least spacing of the others
+  EXPECT_EQ(grid.Highest, (Point3{ 1.25, 1.25, 4.25 }));
+}
+
+//----------------------------------------------------------------------------
+TEST(SpatialGrid, BoundsWhereNoAxisHasTwoPlanes)
+{
+  const SpatialGrid one = GridOfSquares({ { {}, {}, { 5.0 } } });
+  EXPECT_EQ(one.Lowest, (Point3{ -1.5, -1.5, 4.5 })); // no extent along z: the greatest one counts
+  EXPECT_EQ(one.Highest, (Point3{ 1.5, 1.5, 5.5 }));
+  EXPECT_EQ(SpatialGrid().Lowest[0], -HUGE_VAL); // and there are none without contours
+}
+
+//----------------------------------------------------------------------------
+TEST(SpatialGrid, OutermostSlabsEndAtTheBounds)
+{
+  const SpatialGrid grid = GridOfSquares({ { {}, {}, { -1.0, 1.0 } } });
+  ASSERT_EQ(grid.Highest[2], 2.0);
+  EXPECT_EQ(grid.MoveInside(2, 2, 7.0), 2.0);
+  EXPECT_EQ(grid.MoveInside(2, 0, -7.0), -2.0);
+  EXPECT_EQ(grid.MoveInside(2, 0, -1.5), -1.5);
+  EXPECT_EQ(grid.MoveIntoBounds(2, 7.0), 2.0);
+  double low = -3.0, high = 1.5;
+  grid.ClipToBounds(2, low, high);
+  EXPECT_EQ(low, -2.0);
+  EXPECT_EQ(high, 1.5);
+  EXPECT_TRUE(grid.IsWithinBounds({ 0.0, 0.0, 2.0 }));
+  EXPECT_FALSE(grid.IsWithinBounds({ 0.0, 0.0, 2.001 }));
+}
+
+//----------------------------------------------------------------------------
+TEST(SpatialGrid, BoundsInSinglePrecisionAreFloatsWithinTheExactOnes)
+{
+  const SpatialGrid exact = GridOfSquares({ { { 0.1, 0.2 }, { 0.1, 0.4 }, { 0.3, 1e5 } } });
+  const SpatialGrid single = GridOfSquares({ { { 0.1, 0.2 }, { 0.1, 0.4 }, { 0.3, 1e5 } } }, true);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_EQ(single.Lowest[axis], static_cast<float>(single.Lowest[axis]));
+    EXPECT_EQ(single.Highest[axis], static_cast<float>(single.Highest[axis]));
+    EXPECT_NEAR(single.Lowest[axis], exact.Lowest[axis], 2.0 * single.Step[axis]);
+    EXPECT_NEAR(single.Highest[axis], exact.Highest[axis], 2.0 * single.Step[axis]);
+    const double beyond = 0.5 * single.SpacingAtEnds[axis];
+    EXPECT_GE(single.Lowest[axis], std::min(-1.0, single.Planes[axis].front()) - beyond);
+    EXPECT_LE(single.Highest[axis], std::max(1.0, single.Planes[axis].back()) + beyond);
+  }
 }
