@@ -18,6 +18,13 @@ namespace
 /// from that of all.
 constexpr Index MaxSamples = 16;
 
+/// Whether there are slices of one family only.
+bool AreParallel(const SpatialGrid& grid)
+{
+  return grid.Count(0) + grid.Count(1) + grid.Count(2) ==
+    std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
+}
+
 /// A join, and how far each of its two cycles, if it is a loop, is from the patch of the other.
 struct Candidate
 {
@@ -42,8 +49,11 @@ public:
   bool Measure(const CycleShape& a, const CycleShape& b, PairFeatures& features) const;
   double DistanceTo(const CycleShape& loop, const CycleShape& patch) const;
   bool AreOnOneFace(Index a, Index b) const;
+  /// Whether one of two loops bounds a part of the solid and the other one a hole.
+  bool AreOfOtherRoles(const CycleShape& a, const CycleShape& b) const;
 
 private:
+  bool IsHole(const CycleShape& loop) const;
   void FindStep(const std::array<Index, 3>& cell);
 
   const CycleGeometry& Geometry;
@@ -108,6 +118,18 @@ bool PairMeter::AreOnOneFace(Index a, Index b) const
   return first.Axis == second.Axis && first.Plane == second.Plane;
 }
 
+/// The cycle above a slice runs as its contour does, the one below the other way around.
+bool PairMeter::IsHole(const CycleShape& loop) const
+{
+  const int axis = this->Geometry.Graph.Loops[this->Geometry.LoopOf(loop.Cycle)].Axis;
+  return (loop.Area[axis] > 0.0) != this->Geometry.FirstArc(loop.Cycle).Above;
+}
+
+bool PairMeter::AreOfOtherRoles(const CycleShape& a, const CycleShape& b) const
+{
+  return a.Loop && b.Loop && this->IsHole(a) != this->IsHole(b);
+}
+
 bool PairMeter::Measure(const CycleShape& a, const CycleShape& b, PairFeatures& features) const
 {
   const Point3 line = b.Center - a.Center;
@@ -156,6 +178,7 @@ public:
     : Meter(tables)
     , Known(known)
     , PatchOf(patchOf)
+    , Parallel(AreParallel(tables.Geometry.Grid))
   {
   }
 
@@ -170,6 +193,7 @@ private:
   PairMeter Meter;
   const KnownPairs& Known;
   const std::vector<Index>& PatchOf; ///< of each cycle among Known.Patches, or -1
+  const bool Parallel;               ///< slices of one family only
 };
 
 /// False if the two cannot belong together.
@@ -208,10 +232,12 @@ bool CellJoins::IsKnown(Index a, Index b) const
     { return p.First != q.First ? p.First < q.First : p.Second < q.Second; });
 }
 
-/// Whether the criterion says no: it speaks of loops only.
+/// Whether the criterion says no: it speaks of loops only. With parallel slices alone, a tube from
+/// a hole to an outer contour would be a tunnel out of a cavity, which nothing speaks for.
 bool CellJoins::IsExcluded(const CycleShape& a, const CycleShape& b) const
 {
-  return this->Known.Exclusive && a.Loop && b.Loop;
+  return (this->Known.Exclusive && a.Loop && b.Loop) ||
+    (this->Parallel && this->Meter.AreOfOtherRoles(a, b));
 }
 
 /// Two cycles of a stitched patch. All of its cycles form one chain of joins.
@@ -268,9 +294,7 @@ std::vector<Candidate> CellJoins::Find(const Index* first, const Index* last)
 /// alone have isolated contours only, most of which go on in both.
 void RateContinuations(const CycleGeometry& geometry, std::vector<Candidate>& candidates)
 {
-  const SpatialGrid& grid = geometry.Grid;
-  const bool parallel = grid.Count(0) + grid.Count(1) + grid.Count(2) ==
-    std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
+  const bool parallel = AreParallel(geometry.Grid);
   struct Best
   {
     double Distance = std::numeric_limits<double>::infinity();

@@ -57,6 +57,10 @@ struct SlabOverlay
  * surface free of contacts.
  */
 SlabOverlay OverlaySlab(const std::vector<SlabLoop>& loops, const Point2& shift);
+
+/// The same for holes without the outer contours around them, all of which run clockwise: the solid
+/// is outside of them.
+SlabOverlay OverlayHoles(const std::vector<SlabLoop>& loops, const Point2& shift);
 }
 
 #endif

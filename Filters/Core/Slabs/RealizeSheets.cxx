@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Slabs/RealizeSheets.h"
+
+#include "Core/Base/Vectors.h"
+#include "Core/Cells/FindContacts.h"
+#include "Core/Slabs/SlabPieces.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace orthoslices
+{
+namespace
+{
+/// Heights of lids that are tried one after another, as shares of the slab: a lid may be in the way
+/// of a sheet that passes over it, the less so the lower it is.
+constexpr std::array<double, 3> LidHeights{ 0.5, 0.2, 0.05 };
+
+class SheetMaker
+{
+public:
+  SheetMaker(SlabGroup&& whole, double width)
+    : Width(width)
+    , Rest(std::move(whole))
+    , IsTaken(Rest.Loops.size(), 0)
+    , All(Rest)
+  {
+  }
+
+  void TryPlan(const SheetPlan& plan);
+  std::vector<SlabGroup> Take();
+
+private:
+  using Groups = std::vector<SlabGroup>;
+
+  SlabGroup Select(const std::vector<Index>& members, const Point2& shift) const;
+  std::vector<Point2> ListShifts(const SheetPlan& plan) const;
+  Groups OverlaySheets(const SheetPlan& plan, const Point2& shift) const;
+  bool IsAsPlanned(const SheetPlan& plan, const Groups& groups) const;
+  bool Accept(const SheetPlan& plan, Groups&& groups);
+  bool AreApart(const Groups& groups) const;
+  void AddTriangles(const SlabGroup& group, Index patch, Index& nextId,
+    std::vector<PatchTriangle>& triangles) const;
+
+  const double Width;
+  SlabGroup Rest; ///< loops for which no plan has been carried out
+  std::vector<std::uint8_t> IsTaken;
+  const SlabGroup All;
+  Groups Done;
+};
+
+/// Some of the loops, overlaid by themselves.
+SlabGroup SheetMaker::Select(const std::vector<Index>& members, const Point2& shift) const
+{
+  SlabGroup group{ this->All.Slab, {}, {}, shift, {} };
+  bool allHoles = true;
+  for (const Index member : members)
+  {
+    group.Loops.push_back(this->All.Loops[member]);
+    group.Outlines.push_back(this->All.Outlines[member]);
+    allHoles = allHoles && IsHole(group.Outlines.back());
+  }
+  group.Overlay = allHoles && !members.empty() ? OverlayHoles(group.Outlines, shift)
+                                               : OverlaySlab(group.Outlines, shift);
+  return group;
+}
+
+/// None, and those that bring the middles of the first sheet's loops above each other.
+std::vector<Point2> SheetMaker::ListShifts(const SheetPlan& plan) const
+{
+  std::vector<Point2> shifts{ { 0.0, 0.0 } };
+  std::vector<SlabLoop> loops;
+  for (const Index member : plan.Sheets.front())
+  {
+    loops.push_back(this->All.Outlines[member]);
+  }
+  for (const auto& middleOf : { MiddleOfCurves, MiddleOfBox })
+  {
+    shifts.push_back(middleOf(loops, true) - middleOf(loops, false));
+  }
+  return shifts;
+}
+
+SheetMaker::Groups SheetMaker::OverlaySheets(const SheetPlan& plan, const Point2& shift) const
+{
+  Groups groups;
+  for (const std::vector<Index>& sheet : plan.Sheets)
+  {
+    groups.push_back(this->Select(sheet, shift));
+  }
+  return groups;
+}
+
+/// Whether the overlays have the topology that is planned.
+bool SheetMaker::IsAsPlanned(const SheetPlan& plan, const Groups& groups) const
+{
+  Index faults = 0;
+  for (const SlabGroup& group : groups)
+  {
+    if (!group.Overlay.Valid)
+    {
+      return false;
+    }
+    for (const SlabPiece& piece : DescribePieces(group))
+    {
+      faults += piece.Handles + (piece.Mixed ? 1 : 0);
+      if (!plan.InPairs)
+      {
+        continue;
+      }
+      std::vector<Index> loops;
+      for (const Index loop : piece.Loops)
+      {
+        loops.push_back(group.Loops[loop]);
+      }
+      const bool isPlanned = std::any_of(plan.Sheets.begin(), plan.Sheets.end(),
+        [&](const std::vector<Index>& sheet)
+        {
+          return sheet.size() == loops.size() &&
+            std::is_permutation(sheet.begin(), sheet.end(), loops.begin(),
+              [&](Index member, Index loop) { return this->All.Loops[member] == loop; });
+        });
+      if (!isPlanned || piece.Handles > 0)
+      {
+        return false;
+      }
+    }
+  }
+  return faults < plan.Faults;
+}
+
+/// The triangles of an overlay, for FindContacts.
+void SheetMaker::AddTriangles(
+  const SlabGroup& group, Index patch, Index& nextId, std::vector<PatchTriangle>& triangles) const
+{
+  std::vector<Point3> corners;
+  const auto add = [&](const Point2& p, double level) {
+    corners.push_back({ p[0], p[1], level * this->Width });
+  };
+  for (const SlabLoop& loop : group.Outlines)
+  {
+    for (const Point2& p : loop.Points)
+    {
+      add(p, loop.Upper ? 1.0 : 0.0);
+    }
+  }
+  for (const SlabOverlay::Insertion& insertion : group.Overlay.Insertions)
+  {
+    const SlabLoop& loop = group.Outlines[insertion.Loop];
+    const Point2& p = loop.Points[insertion.After];
+    const Point2& q = loop.Points[(insertion.After + 1) % loop.Points.size()];
+    add(p + insertion.Share * (q - p), loop.Upper ? 1.0 : 0.0);
+  }
+  for (const Point3& p : group.Overlay.Points)
+  {
+    add(Point2{ p[0], p[1] } + p[2] * group.Shift, p[2]);
+  }
+  for (const auto& [a, b, c] : group.Overlay.Triangles)
+  {
+    triangles.push_back(
+      { patch, { corners[a], corners[b], corners[c] }, { nextId + a, nextId + b, nextId + c } });
+  }
+  nextId += static_cast<Index>(corners.size());
+}
+
+bool SheetMaker::AreApart(const Groups& groups) const
+{
+  std::vector<PatchTriangle> triangles;
+  Index nextId = 0;
+  for (std::size_t i = 0; i < groups.size(); ++i)
+  {
+    this->AddTriangles(groups[i], static_cast<Index>(i), nextId, triangles);
+  }
+  const std::vector<PatchKind> kinds(groups.size(), PatchKind::Stitched);
+  return FindContacts(triangles, kinds).empty();
+}
+
+/// Puts the points of pieces that have loops of one slice only at a height over it.
+void LowerLids(double height, SlabGroup& group)
+{
+  const std::vector<SlabPiece> pieces = DescribePieces(group);
+  Index vertices = static_cast<Index>(group.Overlay.Insertions.size());
+  for (const SlabLoop& loop : group.Outlines)
+  {
+    vertices += static_cast<Index>(loop.Points.size());
+  }
+  for (std::size_t t = 0; t < group.Overlay.Triangles.size(); ++t)
+  {
+    const SlabPiece& piece = pieces[group.Overlay.Piece[t]];
+    const bool upper = group.Outlines[piece.Loops.front()].Upper;
+    for (const Index corner : group.Overlay.Triangles[t])
+    {
+      if (!piece.Across && corner >= vertices)
+      {
+        group.Overlay.Points[corner - vertices][2] = upper ? 1.0 - height : height;
+      }
+    }
+  }
+}
+
+/// Takes overlays of the loops of a plan, if they meet nothing else.
+bool SheetMaker::Accept(const SheetPlan& plan, Groups&& groups)
+{
+  std::vector<Index> others;
+  for (Index member = 0; member < static_cast<Index>(this->IsTaken.size()); ++member)
+  {
+    if (this->IsTaken[member] == 0 &&
+      !std::binary_search(plan.Loops.begin(), plan.Loops.end(), member))
+    {
+      others.push_back(member);
+    }
+  }
+  Groups trial = this->Done;
+  const std::size_t first = trial.size();
+  std::move(groups.begin(), groups.end(), std::back_inserter(trial));
+  const std::size_t last = trial.size();
+  trial.push_back(this->Select(others, { 0.0, 0.0 }));
+  if (!trial.back().Overlay.Valid)
+  {
+    return false;
+  }
+  for (const double height : LidHeights)
+  {
+    for (std::size_t i = first; i < last; ++i)
+    {
+      LowerLids(height, trial[i]);
+    }
+    if (this->AreApart(trial))
+    {
+      this->Rest = std::move(trial.back());
+      trial.pop_back();
+      this->Done = std::move(trial);
+      for (const Index member : plan.Loops)
+      {
+        this->IsTaken[member] = 1;
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
+void SheetMaker::TryPlan(const SheetPlan& plan)
+{
+  for (const Point2& shift : this->ListShifts(plan))
+  {
+    if (shift != Point2{ 0.0, 0.0 })
+    {
+      Groups joint{ this->Select(plan.Loops, shift) };
+      if (this->IsAsPlanned(plan, joint) && this->Accept(plan, std::move(joint)))
+      {
+        return;
+      }
+    }
+    Groups sheets = this->OverlaySheets(plan, shift);
+    if (this->IsAsPlanned(plan, sheets) && this->Accept(plan, std::move(sheets)))
+    {
+      return;
+    }
+  }
+}
+
+std::vector<SlabGroup> SheetMaker::Take()
+{
+  Groups result = std::move(this->Done);
+  if (!this->Rest.Loops.empty())
+  {
+    result.insert(result.begin(), std::move(this->Rest));
+  }
+  return result;
+}
+}
+
+std::vector<SlabGroup> RealizeSheets(
+  SlabGroup&& whole, const std::vector<SheetPlan>& plans, double width)
+{
+  if (plans.empty())
+  {
+    std::vector<SlabGroup> groups;
+    groups.push_back(std::move(whole));
+    return groups;
+  }
+  SheetMaker maker(std::move(whole), width);
+  for (const SheetPlan& plan : plans)
+  {
+    maker.TryPlan(plan);
+  }
+  return maker.Take();
+}
+}
