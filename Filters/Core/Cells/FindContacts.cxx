@@ -238,7 +238,14 @@ void ContactSweep::TestByTree(const std::vector<PatchTriangle>& triangles)
   std::vector<Index> found;
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    tree.FindAfter(static_cast<Index>(i), found);
+    tree.FindAfter(
+      static_cast<Index>(i),
+      [this](Index a, Index b)
+      {
+        const PairState state = this->StateOf(std::min(a, b), std::max(a, b));
+        return state != PairState::Apart && state != PairState::Touching;
+      },
+      found);
     for (const Index j : found)
     {
       if (triangles[i].Extent.Meets(triangles[j].Extent))

@@ -49,11 +49,10 @@ public:
   bool Measure(const CycleShape& a, const CycleShape& b, PairFeatures& features) const;
   double DistanceTo(const CycleShape& loop, const CycleShape& patch) const;
   bool AreOnOneFace(Index a, Index b) const;
-  /// Whether one of two loops bounds a part of the solid and the other one a hole.
-  bool AreOfOtherRoles(const CycleShape& a, const CycleShape& b) const;
+  /// Whether a loop bounds a hole.
+  bool IsHole(const CycleShape& loop) const;
 
 private:
-  bool IsHole(const CycleShape& loop) const;
   void FindStep(const std::array<Index, 3>& cell);
 
   const CycleGeometry& Geometry;
@@ -125,11 +124,6 @@ bool PairMeter::IsHole(const CycleShape& loop) const
   return (loop.Area[axis] > 0.0) != this->Geometry.FirstArc(loop.Cycle).Above;
 }
 
-bool PairMeter::AreOfOtherRoles(const CycleShape& a, const CycleShape& b) const
-{
-  return a.Loop && b.Loop && this->IsHole(a) != this->IsHole(b);
-}
-
 bool PairMeter::Measure(const CycleShape& a, const CycleShape& b, PairFeatures& features) const
 {
   const Point3 line = b.Center - a.Center;
@@ -186,6 +180,7 @@ public:
 
 private:
   bool IsKnown(Index a, Index b) const;
+  bool HasLid(Index cycle) const;
   bool IsExcluded(const CycleShape& a, const CycleShape& b) const;
   bool Compare(const CycleShape& a, const CycleShape& b, Candidate& candidate) const;
   void AddCertain(Index patch, Index first, Index second, std::vector<Candidate>& found) const;
@@ -225,19 +220,43 @@ Candidate Certain(Index first, Index second)
   return candidate;
 }
 
+/// What the criterion says of two loops. By evidence, that is which ones overlap, and the overlay
+/// has seen to these: if it keeps them apart, then because there is something between them.
 bool CellJoins::IsKnown(Index a, Index b) const
 {
+  if (!this->Known.Exclusive && this->PatchOf[a] >= 0 && this->PatchOf[b] >= 0)
+  {
+    return false;
+  }
   return std::binary_search(this->Known.Pairs.begin(), this->Known.Pairs.end(), LoopPair{ a, b },
     [](const LoopPair& p, const LoopPair& q)
     { return p.First != q.First ? p.First < q.First : p.Second < q.Second; });
 }
 
+/// Whether nothing but a lid is over a loop.
+bool CellJoins::HasLid(Index cycle) const
+{
+  const Index patch = this->PatchOf[cycle];
+  return patch < 0 || this->Known.Patches[patch].Cycles.size() == 1;
+}
+
 /// Whether the criterion says no: it speaks of loops only. With parallel slices alone, a tube from
-/// a hole to an outer contour would be a tunnel out of a cavity, which nothing speaks for.
+/// a hole to an outer contour would be a tunnel out of a cavity, which nothing speaks for; neither
+/// does anything for one between two cavities, unless one ends where the other begins.
 bool CellJoins::IsExcluded(const CycleShape& a, const CycleShape& b) const
 {
-  return (this->Known.Exclusive && a.Loop && b.Loop) ||
-    (this->Parallel && this->Meter.AreOfOtherRoles(a, b));
+  if (this->Parallel && a.Loop && b.Loop)
+  {
+    const bool holes = this->Meter.IsHole(a);
+    if (holes != this->Meter.IsHole(b) ||
+      (holes &&
+        (this->Meter.AreOnOneFace(a.Cycle, b.Cycle) || !this->HasLid(a.Cycle) ||
+          !this->HasLid(b.Cycle))))
+    {
+      return true;
+    }
+  }
+  return this->Known.Exclusive && a.Loop && b.Loop;
 }
 
 /// Two cycles of a stitched patch. All of its cycles form one chain of joins.

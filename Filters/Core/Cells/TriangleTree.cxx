@@ -15,13 +15,30 @@ namespace
 /// Triangles in a leaf. It changes the time only.
 constexpr Index TrianglesInLeaf = 4;
 
-/// Of the extent of all triangles: rounding is some 1e-16, and what is so close is tested anyway.
+/// Of the diagonal of all triangles: rounding is some 1e-16, and what is so close is tested anyway.
 constexpr double MarginShare = 1e-12;
 
-/// The place of a point along a direction and across it.
-Point2 InFrame(const Point2& direction, const Point2& p)
+/// A direction along which most vectors lie, whatever their senses are; longer ones count more.
+Point3 MainDirection(const std::vector<Point3>& vectors)
 {
-  return { Dot(direction, p), Cross(direction, p) };
+  Point3 direction = *std::max_element(vectors.begin(), vectors.end(),
+    [](const Point3& a, const Point3& b) { return Dot(a, a) < Dot(b, b); });
+  constexpr int rounds = 2; // it need not be exact
+  for (int i = 0; i < rounds; ++i)
+  {
+    Point3 sum{ 0.0, 0.0, 0.0 };
+    for (const Point3& vector : vectors)
+    {
+      sum = Dot(vector, direction) < 0.0 ? sum - vector : sum + vector;
+    }
+    direction = sum;
+  }
+  return Unit(direction);
+}
+
+Point3 InBox(const std::array<Point3, 3>& axes, const Point3& p)
+{
+  return { Dot(axes[0], p), Dot(axes[1], p), Dot(axes[2], p) };
 }
 }
 
@@ -30,10 +47,19 @@ TriangleTree::TriangleTree(const std::vector<PatchTriangle>& triangles)
   , Order(triangles.size())
 {
   std::iota(this->Order.begin(), this->Order.end(), 0);
-  this->ChooseAxis();
+  Box3 all;
+  for (const PatchTriangle& triangle : triangles)
+  {
+    all.Add(triangle.Extent);
+  }
+  if (!triangles.empty())
+  {
+    this->Origin = all.Low;
+    this->Margin = MarginShare * all.Diagonal();
+  }
   for (Index i = 0; i < static_cast<Index>(triangles.size()); ++i)
   {
-    this->OfTriangle.push_back(this->Frame(i, i + 1));
+    this->OfTriangle.push_back(this->Enclose(i, i + 1));
   }
   this->Nodes.reserve(triangles.size());
   if (!triangles.empty())
@@ -42,88 +68,74 @@ TriangleTree::TriangleTree(const std::vector<PatchTriangle>& triangles)
   }
 }
 
-/// The axis along which triangles are long for the box of all.
-void TriangleTree::ChooseAxis()
+Point3 TriangleTree::Corner(Index triangle, int i) const
 {
-  Box3 all;
-  Point3 sum{ 0.0, 0.0, 0.0 };
-  for (const PatchTriangle& triangle : this->Triangles)
-  {
-    all.Add(triangle.Extent);
-    sum = sum + (triangle.Extent.High - triangle.Extent.Low);
-  }
-  const Point3 size = all.High - all.Low;
-  double best = -1.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double reach = size[axis] > 0.0 ? sum[axis] / size[axis] : 0.0;
-    if (reach > best)
-    {
-      best = reach;
-      this->Axis = axis;
-    }
-  }
-  this->Origin = { all.Low[FirstAxis(this->Axis)], all.Low[SecondAxis(this->Axis)] };
-  this->Margin = MarginShare * (size[FirstAxis(this->Axis)] + size[SecondAxis(this->Axis)]);
+  return this->Triangles[triangle].Corners[i] - this->Origin;
 }
 
-Point2 TriangleTree::Corner(Index triangle, int i) const
+/// Along the longest sides, and across the triangles.
+std::array<Point3, 3> TriangleTree::ChooseAxes(Index first, Index last) const
 {
-  const Point3& p = this->Triangles[triangle].Corners[i];
-  return Point2{ p[FirstAxis(this->Axis)], p[SecondAxis(this->Axis)] } - this->Origin;
-}
-
-/// The rectangle around some triangles, turned to the mean direction of their longest sides. As
-/// sides have no sense, it is the mean of their angles doubled.
-TriangleTree::Rectangle TriangleTree::Frame(Index first, Index last) const
-{
-  Point2 doubled{ 0.0, 0.0 };
+  std::vector<Point3> sides, normals;
   for (Index k = first; k < last; ++k)
   {
-    Point2 longest{ 0.0, 0.0 };
-    for (int i = 0; i < 3; ++i)
-    {
-      const Point2 side =
-        this->Corner(this->Order[k], (i + 1) % 3) - this->Corner(this->Order[k], i);
-      longest = Dot(side, side) > Dot(longest, longest) ? side : longest;
-    }
-    doubled = doubled +
-      Point2{ longest[0] * longest[0] - longest[1] * longest[1], 2.0 * longest[0] * longest[1] };
+    const Point3 a = this->Corner(this->Order[k], 0);
+    const Point3 b = this->Corner(this->Order[k], 1);
+    const Point3 c = this->Corner(this->Order[k], 2);
+    const std::array<Point3, 3> all{ b - a, c - b, a - c };
+    sides.push_back(*std::max_element(all.begin(), all.end(),
+      [](const Point3& p, const Point3& q) { return Dot(p, p) < Dot(q, q); }));
+    normals.push_back(Cross(b - a, c - a));
   }
-  const double angle = 0.5 * std::atan2(doubled[1], doubled[0]);
-  Rectangle frame{ { std::cos(angle), std::sin(angle) }, { HUGE_VAL, HUGE_VAL },
-    { -HUGE_VAL, -HUGE_VAL } };
+  const Point3 along = MainDirection(sides);
+  const Point3 normal = MainDirection(normals);
+  const Point3 across = Unit(normal - Dot(normal, along) * along);
+  if (Dot(along, along) == 0.0 || Dot(across, across) == 0.0)
+  {
+    return CompleteFrame(Dot(along, along) > 0.0 ? along : Point3{ 0.0, 0.0, 1.0 });
+  }
+  return { along, across, Cross(along, across) };
+}
+
+TriangleTree::TurnedBox TriangleTree::Enclose(Index first, Index last) const
+{
+  constexpr double none = HUGE_VAL;
+  TurnedBox box{ this->ChooseAxes(first, last), { none, none, none }, { -none, -none, -none } };
   for (Index k = first; k < last; ++k)
   {
     for (int i = 0; i < 3; ++i)
     {
-      const Point2 p = InFrame(frame.U, this->Corner(this->Order[k], i));
-      for (int side = 0; side < 2; ++side)
+      const Point3 p = InBox(box.Axes, this->Corner(this->Order[k], i));
+      for (int axis = 0; axis < 3; ++axis)
       {
-        frame.Low[side] = std::min(frame.Low[side], p[side] - this->Margin);
-        frame.High[side] = std::max(frame.High[side], p[side] + this->Margin);
+        box.Low[axis] = std::min(box.Low[axis], p[axis] - this->Margin);
+        box.High[axis] = std::max(box.High[axis], p[axis] + this->Margin);
       }
     }
   }
-  return frame;
+  return box;
 }
 
 Index TriangleTree::Build(Index first, Index last)
 {
   const Index number = static_cast<Index>(this->Nodes.size());
-  const Rectangle frame = this->Frame(first, last);
+  const TurnedBox box = this->Enclose(first, last);
   const Index greatest = *std::max_element(this->Order.begin() + first, this->Order.begin() + last);
-  this->Nodes.push_back({ frame, first, last, -1, -1, greatest });
+  const Index patch = this->Triangles[this->Order[first]].Patch;
+  const bool isOne = std::all_of(this->Order.begin() + first, this->Order.begin() + last,
+    [&](Index triangle) { return this->Triangles[triangle].Patch == patch; });
+  this->Nodes.push_back({ box, first, last, -1, -1, greatest, isOne ? patch : -1 });
   if (last - first <= TrianglesInLeaf)
   {
     return number;
   }
-  const int along = frame.High[0] - frame.Low[0] >= frame.High[1] - frame.Low[1] ? 0 : 1;
+  const Point3 size = box.High - box.Low;
+  const auto widest = std::max_element(size.begin(), size.end()) - size.begin();
   const auto middleOf = [&](Index triangle)
   {
-    const Point2 sum =
+    const Point3 sum =
       (this->Corner(triangle, 0) + this->Corner(triangle, 1)) + this->Corner(triangle, 2);
-    return std::make_pair(InFrame(frame.U, sum)[along], triangle);
+    return std::make_pair(Dot(box.Axes[widest], sum), triangle);
   };
   const Index half = first + (last - first) / 2;
   std::nth_element(this->Order.begin() + first, this->Order.begin() + half,
@@ -135,44 +147,53 @@ Index TriangleTree::Build(Index first, Index last)
   return number;
 }
 
-/// Whether no side of either rectangle separates them, or the triangle itself from the other one.
-bool TriangleTree::MayMeet(Index triangle, const Rectangle& other) const
+/// Whether no side of either box separates the triangle and the other box.
+bool TriangleTree::MayMeet(Index triangle, const TurnedBox& other) const
 {
-  const std::array<Point2, 3> corners{ this->Corner(triangle, 0), this->Corner(triangle, 1),
-    this->Corner(triangle, 2) };
-  const auto isBeyond = [](const Rectangle& frame, const auto& points)
+  const TurnedBox& own = this->OfTriangle[triangle];
+  const Point3 a = this->Corner(triangle, 0);
+  const Point3 b = this->Corner(triangle, 1);
+  const Point3 c = this->Corner(triangle, 2);
+  Point3 center{ 0.0, 0.0, 0.0 };
+  for (int i = 0; i < 3; ++i)
   {
-    Point2 low{ HUGE_VAL, HUGE_VAL };
-    Point2 high{ -HUGE_VAL, -HUGE_VAL };
-    for (const Point2& point : points)
+    const double p = Dot(other.Axes[i], a);
+    const double q = Dot(other.Axes[i], b);
+    const double r = Dot(other.Axes[i], c);
+    if (std::min({ p, q, r }) > other.High[i] || std::max({ p, q, r }) < other.Low[i])
     {
-      const Point2 p = InFrame(frame.U, point);
-      low = { std::min(low[0], p[0]), std::min(low[1], p[1]) };
-      high = { std::max(high[0], p[0]), std::max(high[1], p[1]) };
+      return false;
     }
-    return low[0] > frame.High[0] || high[0] < frame.Low[0] || low[1] > frame.High[1] ||
-      high[1] < frame.Low[1];
-  };
-  const auto corner = [&](double along, double across)
+    center = center + (0.5 * (other.Low[i] + other.High[i])) * other.Axes[i];
+  }
+  for (int i = 0; i < 3; ++i)
   {
-    return Point2{ along * other.U[0] - across * other.U[1],
-      along * other.U[1] + across * other.U[0] };
-  };
-  const std::array<Point2, 4> rectangle{ corner(other.Low[0], other.Low[1]),
-    corner(other.High[0], other.Low[1]), corner(other.High[0], other.High[1]),
-    corner(other.Low[0], other.High[1]) };
-  return !isBeyond(other, corners) && !isBeyond(this->OfTriangle[triangle], rectangle);
+    const double middle = Dot(own.Axes[i], center);
+    double reach = 0.0;
+    for (int j = 0; j < 3; ++j)
+    {
+      reach += 0.5 * (other.High[j] - other.Low[j]) * std::abs(Dot(own.Axes[i], other.Axes[j]));
+    }
+    if (middle - reach > own.High[i] || middle + reach < own.Low[i])
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
-void TriangleTree::FindAfter(Index triangle, std::vector<Index>& found) const
+void TriangleTree::FindAfter(
+  Index triangle, const PatchFilter& isWanted, std::vector<Index>& found) const
 {
+  const Index patch = this->Triangles[triangle].Patch;
   found.clear();
   std::vector<Index> open{ 0 };
   while (!open.empty())
   {
     const Node& node = this->Nodes[open.back()];
     open.pop_back();
-    if (node.LastTriangle <= triangle || !this->MayMeet(triangle, node.Around))
+    if (node.LastTriangle <= triangle || (node.Patch >= 0 && !isWanted(patch, node.Patch)) ||
+      !this->MayMeet(triangle, node.Around))
     {
       continue;
     }

@@ -3,20 +3,19 @@
 #ifndef OrthoSlicesTriangleTree_h
 #define OrthoSlicesTriangleTree_h
 
-#include "Core/Base/Predicates.h"
 #include "Core/Cells/FindContacts.h"
 
+#include <functional>
 #include <vector>
 
 namespace orthoslices
 {
 /**
  * Tells which of many triangles may meet another one, for cells with thousands of them: a binary
- * tree of rectangles that are turned the way most of their triangles lie. Between two slices with
- * many vertices triangles are long and thin, side by side, and slanted; boxes along the axes would
- * overlap those of a great part of the others. All is seen along the axis along which triangles
- * reach farthest through the cell, so along that of the slices. Time to build it, and to ask for all
- * triangles, grows as n log n where triangles do not cross.
+ * tree of boxes that are turned the way most of their triangles lie. Between two slices with many
+ * vertices triangles are long and thin, side by side, and slanted; boxes along the axes would
+ * overlap those of a great part of the others. Time to build it, and to ask for all triangles,
+ * grows as n log n where triangles do not cross.
  */
 class TriangleTree
 {
@@ -24,37 +23,40 @@ public:
   /// The triangles have to outlive this, and to stay in their places.
   explicit TriangleTree(const std::vector<PatchTriangle>& triangles);
 
-  /// Writes, ascending, the numbers of those triangles after this one whose rectangles meet its own.
-  /// What is left out does not touch it, beyond rounding.
-  void FindAfter(Index triangle, std::vector<Index>& found) const;
+  /// Whether triangles of two patches are of interest.
+  using PatchFilter = std::function<bool(Index patch, Index other)>;
+
+  /// Writes, ascending, the numbers of those triangles after this one whose boxes meet its own.
+  /// What is left out does not touch it, beyond rounding, or is not of interest.
+  void FindAfter(Index triangle, const PatchFilter& isWanted, std::vector<Index>& found) const;
 
 private:
-  /// A rectangle; U is its direction, the sides are at distances from the origin along U and across.
-  struct Rectangle
+  /// A box by its axes, which are unit vectors at right angles, and where it ends along them.
+  struct TurnedBox
   {
-    Point2 U;
-    Point2 Low, High;
+    std::array<Point3, 3> Axes;
+    Point3 Low, High;
   };
   struct Node
   {
-    Rectangle Around;
+    TurnedBox Around;
     Index First, Last;  ///< of Order
     Index Left, Right;  ///< nodes; -1 in leaves
     Index LastTriangle; ///< the greatest number in it
+    Index Patch;        ///< of all of its triangles; -1 if they are of several
   };
 
-  void ChooseAxis();
-  Point2 Corner(Index triangle, int i) const;
-  Rectangle Frame(Index first, Index last) const;
+  Point3 Corner(Index triangle, int i) const;
+  std::array<Point3, 3> ChooseAxes(Index first, Index last) const;
+  TurnedBox Enclose(Index first, Index last) const;
   Index Build(Index first, Index last);
-  bool MayMeet(Index triangle, const Rectangle& other) const;
+  bool MayMeet(Index triangle, const TurnedBox& other) const;
 
   const std::vector<PatchTriangle>& Triangles;
-  int Axis = 2;        ///< seen along this one
-  Point2 Origin{};     ///< so that few digits are lost far from that of the world
-  double Margin = 0.0; ///< around all rectangles, far above rounding
+  Point3 Origin{};     ///< so that few digits are lost far from that of the world
+  double Margin = 0.0; ///< around all boxes, far above rounding
   std::vector<Index> Order;
-  std::vector<Rectangle> OfTriangle;
+  std::vector<TurnedBox> OfTriangle;
   std::vector<Node> Nodes;
 };
 }

@@ -33,6 +33,7 @@ struct SlabOverlay
 
   std::vector<Insertion> Insertions; ///< by loop and segment; those on one segment ascend
   std::vector<Point3> Points;        ///< its own points: u, v and the level, in (0, 1)
+  std::vector<std::uint8_t> Above;   ///< of each: whether the solid is inside above only there
   /// Corners are numbered: first the vertices of all loops, loop after loop, then the insertions,
   /// then the own points. Counter-clockwise seen from outside, if u, v and the level are
   /// right-handed.

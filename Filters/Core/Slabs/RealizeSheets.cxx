@@ -7,15 +7,17 @@
 #include "Core/Slabs/SlabPieces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace orthoslices
 {
 namespace
 {
-/// Heights of lids that are tried one after another, as shares of the slab: a lid may be in the way
-/// of a sheet that passes over it, the less so the lower it is.
-constexpr std::array<double, 3> LidHeights{ 0.5, 0.2, 0.05 };
+/// Own points of an overlay lie at half height. A sheet inside another one must stay farther from it:
+/// lower where the solid ends between the slices, higher where it begins. Tried one after another: what the height is multiplied by
+/// for each loop of the plan around the sheet.
+constexpr std::array<double, 3> ShareOfHeight{ 1.0, 0.4, 0.1 };
 
 class SheetMaker
 {
@@ -176,26 +178,12 @@ bool SheetMaker::AreApart(const Groups& groups) const
   return FindContacts(triangles, kinds).empty();
 }
 
-/// Puts the points of pieces that have loops of one slice only at a height over it.
-void LowerLids(double height, SlabGroup& group)
+/// Puts the overlay's own points at a distance from the slice in which there is a solid beside them.
+void SetHeight(double height, SlabOverlay& overlay)
 {
-  const std::vector<SlabPiece> pieces = DescribePieces(group);
-  Index vertices = static_cast<Index>(group.Overlay.Insertions.size());
-  for (const SlabLoop& loop : group.Outlines)
+  for (std::size_t i = 0; i < overlay.Points.size(); ++i)
   {
-    vertices += static_cast<Index>(loop.Points.size());
-  }
-  for (std::size_t t = 0; t < group.Overlay.Triangles.size(); ++t)
-  {
-    const SlabPiece& piece = pieces[group.Overlay.Piece[t]];
-    const bool upper = group.Outlines[piece.Loops.front()].Upper;
-    for (const Index corner : group.Overlay.Triangles[t])
-    {
-      if (!piece.Across && corner >= vertices)
-      {
-        group.Overlay.Points[corner - vertices][2] = upper ? 1.0 - height : height;
-      }
-    }
+    overlay.Points[i][2] = overlay.Above[i] != 0 ? 1.0 - height : height;
   }
 }
 
@@ -220,11 +208,11 @@ bool SheetMaker::Accept(const SheetPlan& plan, Groups&& groups)
   {
     return false;
   }
-  for (const double height : LidHeights)
+  for (const double share : ShareOfHeight)
   {
-    for (std::size_t i = first; i < last; ++i)
+    for (std::size_t i = first; i < last && last - first == plan.Sheets.size(); ++i)
     {
-      LowerLids(height, trial[i]);
+      SetHeight(0.5 * std::pow(share, plan.Depth[i - first]), trial[i].Overlay);
     }
     if (this->AreApart(trial))
     {
@@ -253,8 +241,8 @@ void SheetMaker::TryPlan(const SheetPlan& plan)
         return;
       }
     }
-    Groups sheets = this->OverlaySheets(plan, shift);
-    if (this->IsAsPlanned(plan, sheets) && this->Accept(plan, std::move(sheets)))
+    Groups sheets = plan.MayPart ? this->OverlaySheets(plan, shift) : Groups();
+    if (plan.MayPart && this->IsAsPlanned(plan, sheets) && this->Accept(plan, std::move(sheets)))
     {
       return;
     }

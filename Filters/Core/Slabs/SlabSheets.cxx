@@ -23,11 +23,25 @@ constexpr double MaxCommonShareOfMovedWall = 0.5;
 /// least this share of the hole; else it is another body.
 constexpr double MinShareOfHole = 0.1;
 
+constexpr double Pi = 3.14159265358979323846;
+
+/// Two lids become a tube if their middles are closer together than so many times the sum of the
+/// radii of circles of their areas: then the gap between them is no wider than they are themselves.
+constexpr double MaxRadiiApart = 2.0;
+
+/// And if the line between the middles is no farther from the axis: by its tangent, for parts of the
+/// solid (76 degrees) and for holes (65 degrees), which make a handle and so need more evidence.
+constexpr double MaxSlopeOfPart = 4.0, MaxSlopeOfHole = 2.14;
+
+/// And if one has at most so many times the area of the other, twice its radius.
+constexpr double MaxRatioOfAreas = 4.0;
+
 class SheetPlanner
 {
 public:
-  explicit SheetPlanner(const SlabGroup& group)
+  SheetPlanner(const SlabGroup& group, double width)
     : Group(group)
+    , Width(width)
     , Pieces(DescribePieces(group))
     , Sets(static_cast<Index>(group.Loops.size()))
   {
@@ -38,6 +52,10 @@ public:
 private:
   using Members = std::vector<Index>;
 
+  bool IsLid(const SlabPiece& piece, bool upper) const
+  {
+    return piece.Loops.size() == 1 && this->Group.Outlines[piece.Loops.front()].Upper == upper;
+  }
   static bool IsSuspect(const SlabPiece& piece) { return piece.Handles > 0 || piece.Mixed; }
   bool IsHoleAt(Index member) const { return this->Holes[member] != 0; }
   void DescribeLoops();
@@ -45,6 +63,8 @@ private:
   void UniteRingsThatEnd();
   Index FindAround(Index member) const;
   bool Plan(const Members& members, SheetPlan& plan);
+  Index FindNearest(Index member, const Members& lids) const;
+  void PairLids(std::vector<SheetPlan>& plans) const;
   bool PairNested(const Members& lower, const Members& upper, const Point2& shift,
     std::vector<Members>& pairs) const;
   bool PlanByDepth(const Members& members, SheetPlan& plan) const;
@@ -52,6 +72,7 @@ private:
   Index DepthOf(Index member, const Members& members) const;
 
   const SlabGroup& Group;
+  const double Width;
   std::vector<SlabPiece> Pieces;
   DisjointSets Sets; ///< of loops
   std::vector<Index> Nesting;
@@ -242,8 +263,7 @@ bool SheetPlanner::PlanByDepth(const Members& members, SheetPlan& plan) const
     onBoth = onBoth && upper > 0 && upper < count;
     plan.Sheets.push_back(loops);
   }
-  return plan.Sheets.size() > 1 &&
-    (onBoth || CommonShare(this->Group, members) < MaxCommonShareOfMovedWall);
+  return plan.Sheets.size() > 1 && (onBoth || plan.MayPart);
 }
 
 bool SheetPlanner::Plan(const Members& members, SheetPlan& plan)
@@ -255,13 +275,16 @@ bool SheetPlanner::Plan(const Members& members, SheetPlan& plan)
   {
     return false;
   }
+  bool isMixed = false;
   for (const SlabPiece& piece : this->Pieces)
   {
     if (std::binary_search(members.begin(), members.end(), piece.Loops.front()))
     {
       plan.Faults += piece.Handles + (piece.Mixed ? 1 : 0);
+      isMixed = isMixed || piece.Mixed;
     }
   }
+  plan.MayPart = !isMixed || CommonShare(this->Group, members) < MaxCommonShareOfMovedWall;
   plan.InPairs = this->PairNested(lower, upper, { 0.0, 0.0 }, plan.Sheets);
   for (std::size_t i = 0; plan.InPairs && i < plan.Sheets.size(); ++i)
   {
@@ -278,9 +301,72 @@ bool SheetPlanner::Plan(const Members& members, SheetPlan& plan)
   return this->PlanByDepth(members, plan);
 }
 
+/// The lid of the other slice whose loop is nearest, of one role; -1 without.
+Index SheetPlanner::FindNearest(Index member, const Members& lids) const
+{
+  Index nearest = -1;
+  double least = HUGE_VAL;
+  for (const Index other : lids)
+  {
+    const Point2 d = this->Centers[other] - this->Centers[member];
+    if (this->Group.Outlines[other].Upper != this->Group.Outlines[member].Upper &&
+      this->IsHoleAt(other) == this->IsHoleAt(member) && Dot(d, d) < least)
+    {
+      least = Dot(d, d);
+      nearest = other;
+    }
+  }
+  return nearest;
+}
+
+/// Tubes instead of two lids each: what runs aslant through the slab.
+void SheetPlanner::PairLids(std::vector<SheetPlan>& plans) const
+{
+  Members lids;
+  for (const SlabPiece& piece : this->Pieces)
+  {
+    const bool isPlanned = std::any_of(plans.begin(), plans.end(),
+      [&](const SheetPlan& plan)
+      { return std::binary_search(plan.Loops.begin(), plan.Loops.end(), piece.Loops.front()); });
+    if (piece.Loops.size() == 1 && !isPlanned)
+    {
+      lids.push_back(piece.Loops.front());
+    }
+  }
+  for (const Index member : lids)
+  {
+    const Index other = this->FindNearest(member, lids);
+    if (other < member || this->FindNearest(other, lids) != member)
+    {
+      continue; // each pair once
+    }
+    const auto [smaller, larger] = std::minmax({ this->Areas[member], this->Areas[other] });
+    const Point2 d = this->Centers[other] - this->Centers[member];
+    const double radii = std::sqrt(smaller / Pi) + std::sqrt(larger / Pi);
+    const double slope = this->IsHoleAt(member) ? MaxSlopeOfHole : MaxSlopeOfPart;
+    const double reach = std::min(MaxRadiiApart * radii, slope * this->Width);
+    if (larger <= MaxRatioOfAreas * smaller && Dot(d, d) <= reach * reach)
+    {
+      SheetPlan plan;
+      plan.Loops = { member, other };
+      plan.Sheets = { plan.Loops };
+      plan.Depth = { 0 };
+      plan.InPairs = true;
+      plan.Faults = 1;
+      plans.push_back(std::move(plan));
+    }
+  }
+}
+
 std::vector<SheetPlan> SheetPlanner::Run()
 {
-  if (std::none_of(this->Pieces.begin(), this->Pieces.end(), IsSuspect))
+  const auto isLid = [&](bool upper)
+  {
+    return std::any_of(this->Pieces.begin(), this->Pieces.end(),
+      [&](const SlabPiece& piece) { return this->IsLid(piece, upper); });
+  };
+  if (std::none_of(this->Pieces.begin(), this->Pieces.end(), IsSuspect) &&
+    !(isLid(false) && isLid(true)))
   {
     return {};
   }
@@ -309,12 +395,20 @@ std::vector<SheetPlan> SheetPlanner::Run()
     SheetPlan plan;
     if (this->Plan(group.second, plan))
     {
+      for (const Members& sheet : plan.Sheets)
+      {
+        plan.Depth.push_back(this->DepthOf(sheet.front(), plan.Loops));
+      }
       plans.push_back(std::move(plan));
     }
   }
+  this->PairLids(plans);
   return plans;
 }
 }
 
-std::vector<SheetPlan> PlanSheets(const SlabGroup& group) { return SheetPlanner(group).Run(); }
+std::vector<SheetPlan> PlanSheets(const SlabGroup& group, double width)
+{
+  return SheetPlanner(group, width).Run();
+}
 }

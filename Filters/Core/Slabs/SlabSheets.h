@@ -17,8 +17,11 @@ struct SheetPlan
 {
   std::vector<Index> Loops;               ///< members of the group, ascending: those of all sheets
   std::vector<std::vector<Index>> Sheets; ///< members of the group, of one role each
+  std::vector<Index> Depth; ///< of each sheet: how many loops of the plan are around its loops
   bool InPairs = false; ///< each sheet is a tube between its two loops, or a lid over its only one
   Index Faults = 0;     ///< of the overlay of all: handles, and pieces that mix the roles
+  /// Whether the sheets may be overlaid apart; else only together, sheared.
+  bool MayPart = true;
 };
 
 /**
@@ -29,12 +32,18 @@ struct SheetPlan
  * the regions that these bound:
  *
  * - contours that are nested in the same way on both slices continue one another one to one;
- * - otherwise those of one depth of nesting continue together, if there are some of each depth on
- *   both slices, or if hardly any of the solid lies above the other: then what is left over ends.
+ * - otherwise those of one depth of nesting continue together, and what is left over ends.
  *
- * A plan is no promise: see RealizeSheets. REQUIRES: the overlay of the group is valid.
+ * Lids over single contours that are close together for their size and for the width of the slab
+ * become tubes, if they are the closest ones of their role and of similar size.
+ *
+ * A hole that opens to the outside between two slices looks alike. Then most of the wall around it
+ * lies above itself, and does not do so better after moving one of the slices. So sheets of holes
+ * and of outer contours part only where less than half of the solid lies above itself.
+ *
+ * A plan is no promise: see RealizeSheets. `width` is that of the slab. REQUIRES: the overlay of the group is valid.
  */
-std::vector<SheetPlan> PlanSheets(const SlabGroup& group);
+std::vector<SheetPlan> PlanSheets(const SlabGroup& group, double width);
 }
 
 #endif

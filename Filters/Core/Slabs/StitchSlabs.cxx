@@ -64,9 +64,10 @@ std::vector<SlabGroup> OverlayGroups(const SpatialGrid& grid, int axis,
       {
         OverlayGroup(mayShear, groups[i]);
         const bool plan = byEvidence && groups[i].Overlay.Valid;
+        const double width = grid.Width(axis, groups[i].Slab);
         const std::vector<SheetPlan> plans =
-          plan ? PlanSheets(groups[i]) : std::vector<SheetPlan>();
-        ofGroup[i] = RealizeSheets(std::move(groups[i]), plans, grid.Width(axis, groups[i].Slab));
+          plan ? PlanSheets(groups[i], width) : std::vector<SheetPlan>();
+        ofGroup[i] = RealizeSheets(std::move(groups[i]), plans, width);
       }
     });
   std::vector<SlabGroup> result;
