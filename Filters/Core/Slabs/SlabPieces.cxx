@@ -49,43 +49,38 @@ std::vector<Point2> PlacesOfCorners(const SlabGroup& group)
   return places;
 }
 
-/// Distinct pairs of a piece and something of it, counted by piece.
-template <typename Item>
-std::vector<Index> CountByPiece(std::vector<std::pair<Index, Item>>& items, std::size_t pieces)
+/**
+ * Vertices minus edges plus triangles of each piece. Its open edges are those of its contours, each
+ * with one triangle; all others have two.
+ */
+std::vector<Index> EulerOfPieces(const SlabOverlay& overlay, const std::vector<Index>& loopOf,
+  const std::vector<Index>& pieceOfLoop, std::size_t pieces)
 {
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-  std::vector<Index> count(pieces, 0);
-  for (const auto& item : items)
+  std::vector<Index> vertices(pieces, 0), open(pieces, 0), triangles(pieces, 0);
+  for (const Index loop : loopOf)
   {
-    ++count[item.first];
+    ++vertices[pieceOfLoop[loop]];
+    ++open[pieceOfLoop[loop]];
   }
-  return count;
-}
-
-/// Vertices minus edges plus triangles of each piece.
-std::vector<Index> EulerOfPieces(const SlabOverlay& overlay, std::size_t pieces)
-{
-  std::vector<std::pair<Index, Index>> corners;
-  std::vector<std::pair<Index, std::pair<Index, Index>>> edges;
-  std::vector<Index> euler(pieces, 0);
+  std::vector<std::uint8_t> isCounted(overlay.Points.size(), 0);
   for (std::size_t t = 0; t < overlay.Triangles.size(); ++t)
   {
     const Index piece = overlay.Piece[t];
-    ++euler[piece];
-    for (int i = 0; i < 3; ++i)
+    ++triangles[piece];
+    for (const Index corner : overlay.Triangles[t])
     {
-      const Index a = overlay.Triangles[t][i];
-      const Index b = overlay.Triangles[t][(i + 1) % 3];
-      corners.emplace_back(piece, a);
-      edges.emplace_back(piece, std::minmax(a, b));
+      const std::size_t own = static_cast<std::size_t>(corner) - loopOf.size();
+      if (corner >= static_cast<Index>(loopOf.size()) && isCounted[own] == 0)
+      {
+        isCounted[own] = 1;
+        ++vertices[piece];
+      }
     }
   }
-  const std::vector<Index> vertices = CountByPiece(corners, pieces);
-  const std::vector<Index> sides = CountByPiece(edges, pieces);
-  for (std::size_t piece = 0; piece < pieces; ++piece)
+  std::vector<Index> euler(pieces);
+  for (std::size_t i = 0; i < pieces; ++i)
   {
-    euler[piece] += vertices[piece] - sides[piece];
+    euler[i] = vertices[i] - (3 * triangles[i] + open[i]) / 2 + triangles[i];
   }
   return euler;
 }
@@ -98,31 +93,29 @@ std::vector<SlabPiece> DescribePieces(const SlabGroup& group)
   const SlabOverlay& overlay = group.Overlay;
   std::vector<SlabPiece> pieces(static_cast<std::size_t>(CountPieces(overlay)));
   const std::vector<Index> loopOf = LoopsOfCorners(group);
+  std::vector<Index> pieceOfLoop(group.Outlines.size(), 0);
   for (std::size_t t = 0; t < overlay.Triangles.size(); ++t)
   {
     for (const Index corner : overlay.Triangles[t])
     {
-      std::vector<Index>& loops = pieces[overlay.Piece[t]].Loops;
-      if (corner < static_cast<Index>(loopOf.size()) &&
-        (loops.empty() || loops.back() != loopOf[corner]))
+      if (corner < static_cast<Index>(loopOf.size()))
       {
-        loops.push_back(loopOf[corner]);
+        pieceOfLoop[loopOf[corner]] = overlay.Piece[t];
       }
     }
   }
-  const std::vector<Index> euler = EulerOfPieces(overlay, pieces.size());
+  for (std::size_t loop = 0; loop < pieceOfLoop.size(); ++loop)
+  {
+    SlabPiece& piece = pieces[pieceOfLoop[loop]];
+    piece.Loops.push_back(static_cast<Index>(loop));
+    const SlabLoop& first = group.Outlines[piece.Loops.front()];
+    piece.Across |= group.Outlines[loop].Upper != first.Upper;
+    piece.Mixed |= IsHole(group.Outlines[loop]) != IsHole(first);
+  }
+  const std::vector<Index> euler = EulerOfPieces(overlay, loopOf, pieceOfLoop, pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
-    SlabPiece& piece = pieces[i];
-    std::sort(piece.Loops.begin(), piece.Loops.end());
-    piece.Loops.erase(std::unique(piece.Loops.begin(), piece.Loops.end()), piece.Loops.end());
-    piece.Handles = (2 - static_cast<Index>(piece.Loops.size()) - euler[i]) / 2;
-    const SlabLoop& first = group.Outlines[piece.Loops.front()];
-    for (const Index loop : piece.Loops)
-    {
-      piece.Across |= group.Outlines[loop].Upper != first.Upper;
-      piece.Mixed |= IsHole(group.Outlines[loop]) != IsHole(first);
-    }
+    pieces[i].Handles = (2 - static_cast<Index>(pieces[i].Loops.size()) - euler[i]) / 2;
   }
   return pieces;
 }
