@@ -40,17 +40,17 @@ SlabGroup Overlaid(std::vector<SlabLoop> loops)
 }
 
 /// A thin square ring below, and one that has moved above.
-SlabGroup MovedRing(double by)
+SlabGroup MovedRing(Point2 by)
 {
   return Overlaid({ Square({ 0, 0 }, 5.0, false), Square({ 0, 0 }, 4.5, false, true),
-    Square({ by, 0 }, 5.0, true), Square({ by, 0 }, 4.5, true, true) });
+    Square(by, 5.0, true), Square(by, 4.5, true, true) });
 }
 }
 
 //----------------------------------------------------------------------------
 TEST(SlabPieces, WhatAnOverlayJoins)
 {
-  const SlabGroup group = MovedRing(2.0);
+  const SlabGroup group = MovedRing({ 2.0, 0.0 });
   const std::vector<SlabPiece> pieces = DescribePieces(group);
   ASSERT_EQ(pieces.size(), 1u);
   EXPECT_EQ(pieces[0].Loops, (std::vector<Index>{ 0, 1, 2, 3 }));
@@ -76,8 +76,8 @@ TEST(SlabPieces, HandlesOfAPlateThatBends)
 TEST(LoopRoles, NestingAndPairs)
 {
   const std::vector<SlabLoop> loops{ Square({ 0, 0 }, 5, false), Square({ -2, 0 }, 1, false, true),
-    Square({ 2, 0 }, 1, false, true), Square({ 7, 0 }, 5, true), Square({ 9, 0 }, 1, true, true),
-    Square({ 5, 0 }, 1, true, true), Square({ 2, 0 }, 0.5, true) };
+    Square({ 2, 0 }, 1, false, true), Square({ 9, 0 }, 5, true), Square({ 11, 0 }, 1, true, true),
+    Square({ 7, 0 }, 1, true, true), Square({ 2, 0 }, 0.5, true) };
   const LoopRoles roles(loops);
   EXPECT_FALSE(roles.IsHole(0));
   EXPECT_TRUE(roles.IsHole(1));
@@ -85,43 +85,48 @@ TEST(LoopRoles, NestingAndPairs)
   EXPECT_EQ(roles.ParentOf(4), 3);
   EXPECT_EQ(roles.FindAround(6), 2);
   const LoopRoles::Members all{ 0, 1, 2, 3, 4, 5, 6 };
-  EXPECT_EQ(roles.ChildrenOf(-1, all, true), (LoopRoles::Members{ 3 }));
+  EXPECT_EQ(roles.ChildrenOf(-1, all, true), (LoopRoles::Members{ 3, 6 }));
   EXPECT_EQ(roles.ChildrenOf(0, all, false), (LoopRoles::Members{ 1, 2 }));
   EXPECT_EQ(roles.DepthOf(5, all), 1);
   EXPECT_EQ(roles.FindNearest(2, all), 5);
   // The holes move with the contour around them.
   std::vector<LoopRoles::Members> pairs;
-  EXPECT_TRUE(roles.PairOff({ 1, 2 }, { 4, 5 }, { 7, 0 }, pairs));
+  EXPECT_TRUE(roles.PairOff({ 1, 2 }, { 4, 5 }, { 9, 0 }, pairs));
   EXPECT_EQ(pairs, (std::vector<LoopRoles::Members>{ { 1, 5 }, { 2, 4 } }));
-  EXPECT_FALSE(roles.PairOff({ 1, 2 }, { 4 }, { 7, 0 }, pairs));
+  EXPECT_FALSE(roles.PairOff({ 1, 2 }, { 4 }, { 9, 0 }, pairs));
 }
 
 //----------------------------------------------------------------------------
 TEST(SlabSheets, NothingIsPlannedWhereOverlayWillDo)
 {
-  EXPECT_TRUE(PlanSheets(MovedRing(0.1), 1.0).empty());
+  EXPECT_TRUE(PlanSheets(MovedRing({ 0.1, 0.07 }), 1.0).empty());
 }
 
 //----------------------------------------------------------------------------
 TEST(SlabSheets, AWallThatMovesByMoreThanItsThicknessStaysAWall)
 {
-  SlabGroup group = MovedRing(2.0);
+  SlabGroup group = MovedRing({ 2.0, 0.7 });
   const std::vector<SheetPlan> plans = PlanSheets(group, 1.0);
   ASSERT_EQ(plans.size(), 1u);
   EXPECT_TRUE(plans[0].InPairs);
   EXPECT_EQ(plans[0].Sheets, (std::vector<std::vector<Index>>{ { 0, 2 }, { 1, 3 } }));
   EXPECT_EQ(plans[0].Depth, (std::vector<Index>{ 0, 1 }));
-  const std::vector<SlabGroup> groups = RealizeSheets(std::move(group), plans, 1.0);
-  ASSERT_EQ(groups.size(), 2u);
-  EXPECT_EQ(groups[0].Loops, (std::vector<Index>{ 10, 12 }));
-  EXPECT_EQ(groups[1].Loops, (std::vector<Index>{ 11, 13 }));
-  for (const SlabGroup& sheet : groups)
+  // Two sheets, or both together in a slab that is sheared.
+  std::vector<std::vector<Index>> pairs;
+  for (const SlabGroup& sheets : RealizeSheets(std::move(group), plans, 1.0))
   {
-    const std::vector<SlabPiece> pieces = DescribePieces(sheet);
-    ASSERT_EQ(pieces.size(), 1u);
-    EXPECT_EQ(pieces[0].Handles, 0);
-    EXPECT_EQ(pieces[0].Loops.size(), 2u);
+    for (const SlabPiece& piece : DescribePieces(sheets))
+    {
+      EXPECT_EQ(piece.Handles, 0);
+      pairs.emplace_back();
+      for (const Index member : piece.Loops)
+      {
+        pairs.back().push_back(sheets.Loops[member]);
+      }
+    }
   }
+  std::sort(pairs.begin(), pairs.end());
+  EXPECT_EQ(pairs, (std::vector<std::vector<Index>>{ { 10, 12 }, { 11, 13 } }));
 }
 
 //----------------------------------------------------------------------------
