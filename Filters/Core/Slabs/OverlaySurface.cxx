@@ -153,7 +153,7 @@ void OverlaySurface::AddRegion(
   const auto addMiddle = [&](Index a, Index b)
   {
     return this->AddPoint(
-      0.5 * (places[a][0] + places[b][0]), 0.5 * (places[a][1] + places[b][1]), levels[a] == 1);
+      0.5 * (places[a][0] + places[b][0]), 0.5 * (places[a][1] + places[b][1]), clockwise);
   };
   std::vector<Triangle> middles(triangles.size(), Triangle{ None, None, None });
   for (std::size_t t = 0; t < triangles.size(); ++t)

@@ -119,11 +119,20 @@ Slice Branches(double z)
   return z < 4.5 ? Slice{ { 0.0, 0.0, 3.0 } } : Slice{ { -u, 0.0, 1.6 }, { u, 0.0, 1.6 } };
 }
 
+Slice HollowBranches(double z)
+{
+  const double u = 3.1 + 0.7 * (z - 5.0);
+  return z < 4.5
+    ? Slice{ { 0.0, 0.0, 6.0 }, { 0.0, 0.0, 5.4, true } }
+    : Slice{ { -u, 0.0, 2.5 }, { -u, 0.0, 1.9, true }, { u, 0.0, 2.5 }, { u, 0.0, 1.9, true } };
+}
+
 constexpr Solid Solids[] = { { "pipe", Pipe, 1, 1 }, { "steep pipe", SteepPipe, 1, 1 },
   { "two pipes", TwoPipes, 2, 2 }, { "hopper", Hopper, 1, 1 }, { "cavities", Cavities, 4, 0 },
   { "pipe with cavity", PipeWithCavity, 2, 1 }, { "shell", Shell, 2, 0 },
   { "ball in cavity", BallInCavity, 3, 0 }, { "cup", Cup, 1, 0 }, { "rod", Rod, 1, 0 },
-  { "channel", Channel, 1, 1 }, { "two balls", TwoBalls, 2, 0 }, { "branches", Branches, 1, 0 } };
+  { "channel", Channel, 1, 1 }, { "two balls", TwoBalls, 2, 0 }, { "branches", Branches, 1, 0 },
+  { "hollow branches", HollowBranches, 1, 2 } };
 
 /// The circles as polygons of so many vertices, rounded to multiples of a step if it is not 0.
 PieceSets StackOf(const Solid& solid, int axis, int vertices, double step)
