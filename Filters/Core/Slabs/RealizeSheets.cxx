@@ -15,9 +15,15 @@ namespace orthoslices
 namespace
 {
 /// Own points of an overlay lie at half height. A sheet inside another one must stay farther from it:
-/// lower where the solid ends between the slices, higher where it begins. Tried one after another: what the height is multiplied by
-/// for each loop of the plan around the sheet.
-constexpr std::array<double, 3> ShareOfHeight{ 1.0, 0.4, 0.1 };
+/// lower where the solid ends between the slices, higher where it begins. Tried one after another:
+/// the height of the outermost sheet, and what it is multiplied by for each loop of the plan around
+/// a sheet.
+struct SheetHeights
+{
+  double Outermost, Share;
+};
+constexpr std::array<SheetHeights, 5> Heights{ { { 0.5, 1.0 }, { 0.5, 0.4 }, { 0.5, 0.1 },
+  { 0.8, 0.1 }, { 0.95, 0.05 } } };
 
 class SheetMaker
 {
@@ -208,11 +214,11 @@ bool SheetMaker::Accept(const SheetPlan& plan, Groups&& groups)
   {
     return false;
   }
-  for (const double share : ShareOfHeight)
+  for (const auto& [outermost, share] : Heights)
   {
     for (std::size_t i = first; i < last && last - first == plan.Sheets.size(); ++i)
     {
-      SetHeight(0.5 * std::pow(share, plan.Depth[i - first]), trial[i].Overlay);
+      SetHeight(outermost * std::pow(share, plan.Depth[i - first]), trial[i].Overlay);
     }
     if (this->AreApart(trial))
     {
