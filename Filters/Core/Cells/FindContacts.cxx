@@ -3,6 +3,7 @@
 #include "Core/Cells/FindContacts.h"
 
 #include "Core/Base/Predicates.h"
+#include "Core/Cells/TriangleTree.h"
 
 #include <algorithm>
 
@@ -100,6 +101,9 @@ enum class PairState : std::uint8_t
   Touching
 };
 
+/// With as many triangles a tree is worth its making. It changes the time only.
+constexpr std::size_t ManyTriangles = 1000;
+
 /// Finds pairs of triangles that may touch, from the lowest along x.
 class ContactSweep
 {
@@ -127,6 +131,8 @@ private:
   std::vector<std::uint8_t> FindPairs(const std::vector<PatchTriangle>& triangles);
   bool IsKnown(Index first, Index second) const;
   void Test(const PatchTriangle& a, const PatchTriangle& b);
+  void TestInOrder(const std::vector<PatchTriangle>& triangles);
+  void TestByTree(const std::vector<PatchTriangle>& triangles);
   void Remember();
 
   const std::vector<PatchKind>& Kinds;
@@ -210,15 +216,9 @@ void ContactSweep::Remember()
   }
 }
 
-std::vector<std::pair<Index, Index>> ContactSweep::Run(std::vector<PatchTriangle>& triangles)
+/// Each triangle with those after it that begin before it ends.
+void ContactSweep::TestInOrder(const std::vector<PatchTriangle>& triangles)
 {
-  std::sort(triangles.begin(), triangles.end(),
-    [](const PatchTriangle& a, const PatchTriangle& b)
-    { return a.Extent.Low[0] < b.Extent.Low[0]; });
-  const std::vector<std::uint8_t> isTested = this->FindPairs(triangles);
-  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
-                    [&](const PatchTriangle& triangle) { return isTested[triangle.Patch] == 0; }),
-    triangles.end());
   for (auto a = triangles.begin(); a != triangles.end(); ++a)
   {
     for (auto b = a + 1; b != triangles.end() && b->Extent.Low[0] <= a->Extent.High[0]; ++b)
@@ -228,6 +228,50 @@ std::vector<std::pair<Index, Index>> ContactSweep::Run(std::vector<PatchTriangle
         this->Test(*a, *b);
       }
     }
+  }
+}
+
+/// The same pairs in the same order, without most of those that are certainly apart.
+void ContactSweep::TestByTree(const std::vector<PatchTriangle>& triangles)
+{
+  const TriangleTree tree(triangles);
+  std::vector<Index> found;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    tree.FindAfter(
+      static_cast<Index>(i),
+      [this](Index a, Index b)
+      {
+        const PairState state = this->StateOf(std::min(a, b), std::max(a, b));
+        return state != PairState::Apart && state != PairState::Touching;
+      },
+      found);
+    for (const Index j : found)
+    {
+      if (triangles[i].Extent.Meets(triangles[j].Extent))
+      {
+        this->Test(triangles[i], triangles[j]);
+      }
+    }
+  }
+}
+
+std::vector<std::pair<Index, Index>> ContactSweep::Run(std::vector<PatchTriangle>& triangles)
+{
+  std::sort(triangles.begin(), triangles.end(),
+    [](const PatchTriangle& a, const PatchTriangle& b)
+    { return a.Extent.Low[0] < b.Extent.Low[0]; });
+  const std::vector<std::uint8_t> isTested = this->FindPairs(triangles);
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                    [&](const PatchTriangle& triangle) { return isTested[triangle.Patch] == 0; }),
+    triangles.end());
+  if (triangles.size() >= ManyTriangles)
+  {
+    this->TestByTree(triangles);
+  }
+  else
+  {
+    this->TestInOrder(triangles);
   }
   if (this->Known)
   {

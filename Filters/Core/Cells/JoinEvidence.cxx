@@ -18,6 +18,13 @@ namespace
 /// from that of all.
 constexpr Index MaxSamples = 16;
 
+/// Whether there are slices of one family only.
+bool AreParallel(const SpatialGrid& grid)
+{
+  return grid.Count(0) + grid.Count(1) + grid.Count(2) ==
+    std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
+}
+
 /// A join, and how far each of its two cycles, if it is a loop, is from the patch of the other.
 struct Candidate
 {
@@ -42,6 +49,8 @@ public:
   bool Measure(const CycleShape& a, const CycleShape& b, PairFeatures& features) const;
   double DistanceTo(const CycleShape& loop, const CycleShape& patch) const;
   bool AreOnOneFace(Index a, Index b) const;
+  /// Whether a loop bounds a hole.
+  bool IsHole(const CycleShape& loop) const;
 
 private:
   void FindStep(const std::array<Index, 3>& cell);
@@ -108,6 +117,13 @@ bool PairMeter::AreOnOneFace(Index a, Index b) const
   return first.Axis == second.Axis && first.Plane == second.Plane;
 }
 
+/// The cycle above a slice runs as its contour does, the one below the other way around.
+bool PairMeter::IsHole(const CycleShape& loop) const
+{
+  const int axis = this->Geometry.Graph.Loops[this->Geometry.LoopOf(loop.Cycle)].Axis;
+  return (loop.Area[axis] > 0.0) != this->Geometry.FirstArc(loop.Cycle).Above;
+}
+
 bool PairMeter::Measure(const CycleShape& a, const CycleShape& b, PairFeatures& features) const
 {
   const Point3 line = b.Center - a.Center;
@@ -156,6 +172,7 @@ public:
     : Meter(tables)
     , Known(known)
     , PatchOf(patchOf)
+    , Parallel(AreParallel(tables.Geometry.Grid))
   {
   }
 
@@ -163,6 +180,7 @@ public:
 
 private:
   bool IsKnown(Index a, Index b) const;
+  bool HasLid(Index cycle) const;
   bool IsExcluded(const CycleShape& a, const CycleShape& b) const;
   bool Compare(const CycleShape& a, const CycleShape& b, Candidate& candidate) const;
   void AddCertain(Index patch, Index first, Index second, std::vector<Candidate>& found) const;
@@ -170,6 +188,7 @@ private:
   PairMeter Meter;
   const KnownPairs& Known;
   const std::vector<Index>& PatchOf; ///< of each cycle among Known.Patches, or -1
+  const bool Parallel;               ///< slices of one family only
 };
 
 /// False if the two cannot belong together.
@@ -201,16 +220,42 @@ Candidate Certain(Index first, Index second)
   return candidate;
 }
 
+/// What the criterion says of two loops. By evidence, that is which ones overlap, and the overlay
+/// has seen to these: if it keeps them apart, then because there is something between them.
 bool CellJoins::IsKnown(Index a, Index b) const
 {
+  if (!this->Known.Exclusive && this->PatchOf[a] >= 0 && this->PatchOf[b] >= 0)
+  {
+    return false;
+  }
   return std::binary_search(this->Known.Pairs.begin(), this->Known.Pairs.end(), LoopPair{ a, b },
     [](const LoopPair& p, const LoopPair& q)
     { return p.First != q.First ? p.First < q.First : p.Second < q.Second; });
 }
 
-/// Whether the criterion says no: it speaks of loops only.
+/// Whether nothing but a lid is over a loop.
+bool CellJoins::HasLid(Index cycle) const
+{
+  const Index patch = this->PatchOf[cycle];
+  return patch < 0 || this->Known.Patches[patch].Cycles.size() == 1;
+}
+
+/// Whether the criterion says no: it speaks of loops only. With parallel slices alone, a tube from
+/// a hole to an outer contour would be a tunnel out of a cavity, which nothing speaks for; neither
+/// does anything for one between two cavities, unless one ends where the other begins.
 bool CellJoins::IsExcluded(const CycleShape& a, const CycleShape& b) const
 {
+  if (this->Parallel && a.Loop && b.Loop)
+  {
+    const bool holes = this->Meter.IsHole(a);
+    if (holes != this->Meter.IsHole(b) ||
+      (holes &&
+        (this->Meter.AreOnOneFace(a.Cycle, b.Cycle) || !this->HasLid(a.Cycle) ||
+          !this->HasLid(b.Cycle))))
+    {
+      return true;
+    }
+  }
   return this->Known.Exclusive && a.Loop && b.Loop;
 }
 
@@ -268,9 +313,7 @@ std::vector<Candidate> CellJoins::Find(const Index* first, const Index* last)
 /// alone have isolated contours only, most of which go on in both.
 void RateContinuations(const CycleGeometry& geometry, std::vector<Candidate>& candidates)
 {
-  const SpatialGrid& grid = geometry.Grid;
-  const bool parallel = grid.Count(0) + grid.Count(1) + grid.Count(2) ==
-    std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
+  const bool parallel = AreParallel(geometry.Grid);
   struct Best
   {
     double Distance = std::numeric_limits<double>::infinity();

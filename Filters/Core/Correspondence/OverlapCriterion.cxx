@@ -4,9 +4,11 @@
 
 #include "Core/Correspondence/CommonArea.h"
 #include "Core/Correspondence/ContourNesting.h"
+#include "Core/Planar/SegmentTree.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace orthoslices
@@ -18,8 +20,6 @@ using PairSet = std::set<std::pair<Index, Index>>;
 struct Edge
 {
   Index Contour, Start, End;
-  bool Upper;
-  PlanarBox Box;
 };
 
 /**
@@ -44,8 +44,7 @@ public:
   PairSet Overlaps(Index lowerBegin, Index upperBegin, Index upperEnd);
 
 private:
-  void AddEdges(Index begin, Index end, bool upper);
-  void FindCrossings();
+  void FindCrossings(Index lowerBegin, Index upperBegin, Index upperEnd);
   void FindContainments(Index begin, Index end, Index otherBegin, Index otherEnd);
   bool DoCross(const Edge& lower, const Edge& upper, bool& tied) const;
   void AddRegion(Index lower, Index upper, bool tied);
@@ -55,28 +54,11 @@ private:
   const std::vector<Index>& Parents;
   const std::vector<PlanarBox>& Boxes;
   const std::vector<double>& Areas;
-  std::vector<Edge> Edges;    ///< of both slices
   const Nudge Move{ 1, 1 };   ///< of the upper slice
   const Nudge Back{ -1, -1 }; ///< the same, for the lower one
   PairSet Certain;            ///< overlap without the nudge
   PairSet Tied;               ///< overlap with the nudge
 };
-
-void SlicePair::AddEdges(Index begin, Index end, bool upper)
-{
-  for (Index contour = begin; contour < end; ++contour)
-  {
-    for (Index i = this->Stack.Offsets[contour]; i < this->Stack.Offsets[contour + 1]; ++i)
-    {
-      const Index next = this->Stack.Next(contour, i);
-      const Point2 a = this->Stack.At(i);
-      const Point2 b = this->Stack.At(next);
-      this->Edges.push_back({ contour, i, next, upper,
-        { { std::min(a[0], b[0]), std::min(a[1], b[1]) },
-          { std::max(a[0], b[0]), std::max(a[1], b[1]) } } });
-    }
-  }
-}
 
 bool SlicePair::DoCross(const Edge& lower, const Edge& upper, bool& tied) const
 {
@@ -95,35 +77,48 @@ void SlicePair::AddRegion(Index lower, Index upper, bool tied)
   }
 }
 
-/// Sweep along u; edges are sorted by where they begin.
-void SlicePair::FindCrossings()
+void SlicePair::FindCrossings(Index lowerBegin, Index upperBegin, Index upperEnd)
 {
-  std::array<std::vector<const Edge*>, 2> active;
-  for (const Edge& edge : this->Edges)
+  const Index first = this->Stack.Offsets[lowerBegin];
+  Contours both; // numbered from 0
+  both.U.assign(
+    this->Stack.U.begin() + first, this->Stack.U.begin() + this->Stack.Offsets[upperEnd]);
+  both.V.assign(
+    this->Stack.V.begin() + first, this->Stack.V.begin() + this->Stack.Offsets[upperEnd]);
+  for (Index contour = lowerBegin; contour < upperEnd; ++contour)
   {
-    std::vector<const Edge*>& others = active[edge.Upper ? 0 : 1];
-    others.erase(std::remove_if(others.begin(), others.end(),
-                   [&](const Edge* other) { return other->Box.High[0] < edge.Box.Low[0]; }),
-      others.end());
-    for (const Edge* other : others)
+    both.Offsets.push_back(this->Stack.Offsets[contour + 1] - first);
+  }
+  std::vector<Index> all(upperEnd - lowerBegin);
+  std::iota(all.begin(), all.end(), 0);
+  const auto edgeOf = [&](const SegmentTree::Segment& segment)
+  {
+    const Index contour = lowerBegin + segment.Contour;
+    const Index start = first + segment.Vertex;
+    return Edge{ contour, start, this->Stack.Next(contour, start) };
+  };
+  const auto compare = [&](const SegmentTree::Segment& s, const SegmentTree::Segment& t)
+  {
+    const Edge one = edgeOf(s);
+    const Edge other = edgeOf(t);
+    if ((one.Contour < upperBegin) == (other.Contour < upperBegin))
     {
-      const bool apart =
-        other->Box.High[1] < edge.Box.Low[1] || other->Box.Low[1] > edge.Box.High[1];
-      const Edge& lower = edge.Upper ? *other : edge;
-      const Edge& upper = edge.Upper ? edge : *other;
-      bool tied = false;
-      if (!apart && this->DoCross(lower, upper, tied))
+      return;
+    }
+    const Edge& lower = one.Contour < upperBegin ? one : other;
+    const Edge& upper = one.Contour < upperBegin ? other : one;
+    bool tied = false;
+    if (this->DoCross(lower, upper, tied))
+    {
+      // A contour has its own interior on one side and that of its parent on the other.
+      for (const Index a : { lower.Contour, this->Parents[lower.Contour] })
       {
-        // A contour has its own interior on one side and that of its parent on the other.
-        for (const Index a : { lower.Contour, this->Parents[lower.Contour] })
-        {
-          this->AddRegion(a, upper.Contour, tied);
-          this->AddRegion(a, this->Parents[upper.Contour], tied);
-        }
+        this->AddRegion(a, upper.Contour, tied);
+        this->AddRegion(a, this->Parents[upper.Contour], tied);
       }
     }
-    active[edge.Upper ? 1 : 0].push_back(&edge);
-  }
+  };
+  SegmentTree(both, std::move(all)).VisitOverlaps(compare);
 }
 
 /// The region of the other slice in which the first vertex of each contour lies.
@@ -169,12 +164,7 @@ PairSet SlicePair::Overlaps(Index lowerBegin, Index upperBegin, Index upperEnd)
 {
   this->Certain.clear();
   this->Tied.clear();
-  this->Edges.clear();
-  this->AddEdges(lowerBegin, upperBegin, false);
-  this->AddEdges(upperBegin, upperEnd, true);
-  std::stable_sort(this->Edges.begin(), this->Edges.end(),
-    [](const Edge& a, const Edge& b) { return a.Box.Low[0] < b.Box.Low[0]; });
-  this->FindCrossings();
+  this->FindCrossings(lowerBegin, upperBegin, upperEnd);
   this->FindContainments(lowerBegin, upperBegin, upperBegin, upperEnd);
   this->FindContainments(upperBegin, upperEnd, lowerBegin, upperBegin);
   for (const auto& pair : this->Tied)

@@ -18,8 +18,8 @@ namespace orthoslices
  * with holes. The decision is exact: contours that touch or coincide overlap if and only if their
  * interiors have an area in common, however small. Cost is 0.
  *
- * Time grows with the number of edges times the number of edges that a line across a slice meets;
- * with the square of their number for two regions that touch but do not cross.
+ * Time grows with the number of edges, those counted repeatedly that others meet, and with the
+ * number of contours of a slice that lie around one of the other slice.
  */
 std::vector<Correspondence> CorrespondencesByOverlap(const ContourStack& stack);
 }

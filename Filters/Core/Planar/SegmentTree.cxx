@@ -151,6 +151,43 @@ void SegmentTree::VisitRuns(
   }
 }
 
+void SegmentTree::VisitAlongU(double u, double v, const std::function<void(Segment)>& visit) const
+{
+  if (!this->Runs.empty())
+  {
+    this->VisitAlongU({ this->Boxes.size() - 1, 0 }, u, v, visit);
+  }
+}
+
+void SegmentTree::VisitAlongU(
+  Node node, double u, double v, const std::function<void(Segment)>& visit) const
+{
+  const auto isMet = [&](const Box& box)
+  { return v >= box.LowV && v <= box.HighV && u <= box.HighU; };
+  if (!isMet(this->BoxOf(node)))
+  {
+    return;
+  }
+  if (node.Level > 0)
+  {
+    const Node right{ node.Level - 1, 2 * node.Number + 1 };
+    this->VisitAlongU(Node{ node.Level - 1, 2 * node.Number }, u, v, visit);
+    if (this->IsValid(right))
+    {
+      this->VisitAlongU(right, u, v, visit);
+    }
+    return;
+  }
+  const Run& run = this->Runs[node.Number];
+  for (Index vertex = run.First; vertex < run.Last; ++vertex)
+  {
+    if (isMet(this->BoxOfSegment(run.Contour, vertex)))
+    {
+      visit({ run.Contour, vertex });
+    }
+  }
+}
+
 Index SegmentTree::CountAbove(double u, double v, Index contour) const
 {
   return this->Runs.empty() ? 0 : this->CountAbove({ this->Boxes.size() - 1, 0 }, u, v, contour);

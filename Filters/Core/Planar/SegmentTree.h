@@ -31,6 +31,9 @@ public:
   /// Calls `visit` for every two segments whose bounding boxes overlap and that share no vertex.
   void VisitOverlaps(const std::function<void(Segment, Segment)>& visit) const;
 
+  /// Calls `visit` for every segment whose bounding box the ray from (u, v) towards +u meets.
+  void VisitAlongU(double u, double v, const std::function<void(Segment)>& visit) const;
+
   /// How many segments of other contours than `contour` the ray from (u, v) towards +v crosses.
   Index CountAbove(double u, double v, Index contour) const;
 
@@ -58,6 +61,7 @@ private:
   void VisitBetween(Node a, Node b, const std::function<void(Segment, Segment)>& visit) const;
   void VisitRuns(
     const Run& a, const Run& b, const std::function<void(Segment, Segment)>& visit) const;
+  void VisitAlongU(Node node, double u, double v, const std::function<void(Segment)>& visit) const;
   Index CountAbove(Node node, double u, double v, Index contour) const;
   Index CountAboveInRun(const Run& run, double u, double v) const;
 

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 namespace orthoslices
 {
@@ -86,5 +88,67 @@ SlabOverlay OverlaySlab(const std::vector<SlabLoop>& loops, const Point2& shift)
     }
   }
   return result;
+}
+
+namespace
+{
+/// An insertion into a loop as it is on the same loop passed the other way round.
+SlabOverlay::Insertion Reverse(
+  const SlabOverlay::Insertion& insertion, const std::vector<SlabLoop>& loops)
+{
+  const Index count = static_cast<Index>(loops[insertion.Loop].Points.size());
+  const double share = std::min(1.0 - insertion.Share, std::nextafter(1.0, 0.0));
+  return { insertion.Loop, (2 * count - 2 - insertion.After) % count, share };
+}
+
+/// Makes an overlay of reversed loops one of the loops themselves, with its other side outside.
+void ReverseOverlay(const std::vector<SlabLoop>& loops, SlabOverlay& overlay)
+{
+  std::vector<Index> cornerOf;
+  for (const SlabLoop& loop : loops)
+  {
+    const Index first = static_cast<Index>(cornerOf.size());
+    for (Index i = static_cast<Index>(loop.Points.size()) - 1; i >= 0; --i)
+    {
+      cornerOf.push_back(first + i);
+    }
+  }
+  const std::vector<SlabOverlay::Insertion> before = overlay.Insertions;
+  const Index vertices = static_cast<Index>(cornerOf.size());
+  const Index count = static_cast<Index>(before.size());
+  std::vector<Index> order(before.size()); // those on one segment are in descending order before
+  std::iota(order.rbegin(), order.rend(), 0);
+  const auto segmentOf = [&](Index i)
+  {
+    const SlabOverlay::Insertion insertion = Reverse(before[i], loops);
+    return std::make_tuple(insertion.Loop, insertion.After);
+  };
+  std::stable_sort(
+    order.begin(), order.end(), [&](Index a, Index b) { return segmentOf(a) < segmentOf(b); });
+  cornerOf.resize(vertices + count);
+  for (Index i = 0; i < count; ++i)
+  {
+    overlay.Insertions[i] = Reverse(before[order[i]], loops);
+    cornerOf[vertices + order[i]] = vertices + i;
+  }
+  const auto move = [&](Index corner)
+  { return corner < vertices + count ? cornerOf[corner] : corner; };
+  for (auto& [a, b, c] : overlay.Triangles)
+  {
+    std::tie(a, b, c) = std::make_tuple(move(a), move(c), move(b));
+  }
+}
+}
+
+SlabOverlay OverlayHoles(const std::vector<SlabLoop>& loops, const Point2& shift)
+{
+  std::vector<SlabLoop> reversed = loops;
+  for (SlabLoop& loop : reversed)
+  {
+    std::reverse(loop.Points.begin(), loop.Points.end());
+  }
+  SlabOverlay overlay = OverlaySlab(reversed, shift);
+  ReverseOverlay(loops, overlay);
+  return overlay;
 }
 }

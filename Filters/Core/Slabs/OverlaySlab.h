@@ -33,6 +33,7 @@ struct SlabOverlay
 
   std::vector<Insertion> Insertions; ///< by loop and segment; those on one segment ascend
   std::vector<Point3> Points;        ///< its own points: u, v and the level, in (0, 1)
+  std::vector<std::uint8_t> Above;   ///< of each: whether the solid is inside above only there
   /// Corners are numbered: first the vertices of all loops, loop after loop, then the insertions,
   /// then the own points. Counter-clockwise seen from outside, if u, v and the level are
   /// right-handed.
@@ -57,6 +58,10 @@ struct SlabOverlay
  * surface free of contacts.
  */
 SlabOverlay OverlaySlab(const std::vector<SlabLoop>& loops, const Point2& shift);
+
+/// The same for holes without the outer contours around them, all of which run clockwise: the solid
+/// is outside of them.
+SlabOverlay OverlayHoles(const std::vector<SlabLoop>& loops, const Point2& shift);
 }
 
 #endif

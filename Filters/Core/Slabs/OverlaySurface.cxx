@@ -38,7 +38,7 @@ private:
     const PlaneRegion& region, const TriangleAdjacency& triangles) const;
   void AddTriangle(const Triangle& corners, const Triangle& middles, bool clockwise);
   void Add(Index a, Index b, Index c, bool clockwise);
-  Index AddPoint(double u, double v);
+  Index AddPoint(double u, double v, bool above);
   void NumberPieces();
 
   const OverlayGraph& Graph;
@@ -90,11 +90,12 @@ std::vector<std::int8_t> OverlaySurface::ChooseLevels(
   return levels;
 }
 
-Index OverlaySurface::AddPoint(double u, double v)
+Index OverlaySurface::AddPoint(double u, double v, bool above)
 {
   // The displacement is sheared back here, so that it does not show at all.
   this->Result.Points.push_back(
     { u - 0.5 * this->Displacement[0], v - 0.5 * this->Displacement[1], 0.5 });
+  this->Result.Above.push_back(above ? 1 : 0);
   return this->Graph.CountVertices() +
     static_cast<Index>(this->Result.Insertions.size() + this->Result.Points.size()) - 1;
 }
@@ -151,7 +152,8 @@ void OverlaySurface::AddRegion(
   const auto cornerAt = [&](Index node, int level) { return this->Graph.CornerAt(node, level); };
   const auto addMiddle = [&](Index a, Index b)
   {
-    return this->AddPoint(0.5 * (places[a][0] + places[b][0]), 0.5 * (places[a][1] + places[b][1]));
+    return this->AddPoint(
+      0.5 * (places[a][0] + places[b][0]), 0.5 * (places[a][1] + places[b][1]), clockwise);
   };
   std::vector<Triangle> middles(triangles.size(), Triangle{ None, None, None });
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -199,7 +201,7 @@ void OverlaySurface::AddRegion(
       // A contour of three vertices, without partner.
       const Index middle =
         this->AddPoint((places[nodes[0]][0] + places[nodes[1]][0] + places[nodes[2]][0]) / 3.0,
-          (places[nodes[0]][1] + places[nodes[1]][1] + places[nodes[2]][1]) / 3.0);
+          (places[nodes[0]][1] + places[nodes[1]][1] + places[nodes[2]][1]) / 3.0, clockwise);
       for (int i = 0; i < 3; ++i)
       {
         this->Add(corners[i], corners[(i + 1) % 3], middle, clockwise);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Slabs/SlabGroup.h"
 
+#include "Core/Base/Box.h"
 #include "Core/Base/DisjointSets.h"
 #include "Core/Base/Vectors.h"
 
@@ -63,9 +64,7 @@ std::vector<SlabGroup> FormSlabGroups(const CycleGeometry& geometry,
   return groups;
 }
 
-namespace
-{
-Point2 CentreOf(const std::vector<SlabLoop>& loops, bool upper)
+Point2 MiddleOfCurves(const std::vector<SlabLoop>& loops, bool upper)
 {
   CurveCenter center(Point3{ 0.0, 0.0, 0.0 });
   for (const SlabLoop& loop : loops)
@@ -80,6 +79,18 @@ Point2 CentreOf(const std::vector<SlabLoop>& loops, bool upper)
   const Point3 result = center.Get();
   return { result[0], result[1] };
 }
+
+Point2 MiddleOfBox(const std::vector<SlabLoop>& loops, bool upper)
+{
+  Box3 box;
+  for (const SlabLoop& loop : loops)
+  {
+    for (std::size_t i = 0; i < loop.Points.size() && loop.Upper == upper; ++i)
+    {
+      box.Add(Point3{ loop.Points[i][0], loop.Points[i][1], 0.0 });
+    }
+  }
+  return { 0.5 * (box.Low[0] + box.High[0]), 0.5 * (box.Low[1] + box.High[1]) };
 }
 
 Index CountPieces(const SlabOverlay& overlay)
@@ -95,8 +106,8 @@ void OverlayGroup(bool mayShear, SlabGroup& group)
   {
     return;
   }
-  const Point2 lower = CentreOf(group.Outlines, false);
-  const Point2 upper = CentreOf(group.Outlines, true);
+  const Point2 lower = MiddleOfCurves(group.Outlines, false);
+  const Point2 upper = MiddleOfCurves(group.Outlines, true);
   const Point2 shift{ upper[0] - lower[0], upper[1] - lower[1] };
   SlabOverlay sheared = OverlaySlab(group.Outlines, shift);
   if (sheared.Valid && CountPieces(sheared) == 1)

@@ -41,6 +41,12 @@ std::vector<SlabGroup> FormSlabGroups(const CycleGeometry& geometry,
  */
 void OverlayGroup(bool mayShear, SlabGroup& group);
 
+/// The middle of the loops of one slice, by their length.
+Point2 MiddleOfCurves(const std::vector<SlabLoop>& loops, bool upper);
+
+/// The middle of the box around the loops of one slice. REQUIRES: there are some.
+Point2 MiddleOfBox(const std::vector<SlabLoop>& loops, bool upper);
+
 /// The number of patches that an overlay consists of.
 Index CountPieces(const SlabOverlay& overlay);
 }
