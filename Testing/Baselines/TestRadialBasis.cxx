@@ -42,8 +42,8 @@ std::vector<RadialConstraint> MakeConstraintsAtRandom(
   std::vector<RadialConstraint> constraints;
   for (int i = 0; i < count; ++i)
   {
-    const std::array<double, 3> position{ 100.0 + numbers.Between(0.0, 30.0),
-      numbers.Between(-10.0, 10.0), numbers.Between(0.0, 5.0) };
+    const std::array<double, 3> position{ 100.0 + numbers.Uniform(0.0, 30.0),
+      numbers.Uniform(-10.0, 10.0), numbers.Uniform(0.0, 5.0) };
     constraints.push_back({ position, valueAt(position) });
   }
   return constraints;
@@ -178,8 +178,8 @@ TEST(ContourSamples, LieEvenlyOnTheContourWithNormalsToTheInterior)
       EXPECT_EQ(sample.Position[axis], 2.0);
       EXPECT_EQ(sample.Inwards[axis], 0.0);
       EXPECT_TRUE(std::abs(radius - 4.0) < 1e-12 || std::abs(radius - 1.0) < 1e-12) << radius;
-      const double towardsAxis = -u * sample.Inwards[(axis + 1) % 3] -
-        v * sample.Inwards[(axis + 2) % 3];
+      const double towardsAxis =
+        -u * sample.Inwards[(axis + 1) % 3] - v * sample.Inwards[(axis + 2) % 3];
       EXPECT_EQ(towardsAxis > 0.0, radius > 2.0);
     }
   }
