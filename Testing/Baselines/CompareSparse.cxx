@@ -42,7 +42,7 @@ const char* const Usage =
   --samples NUMBER    samples on each surface (default 100000)
   --details           also print the figures of each case
   --csv FILE          also write the rows as comma-separated values
-  --picture FILE.png  also show the surfaces of the first choice of planes and case, and the known one
+  --picture FILE.png  also show the surfaces of the first case and planes, and the known one
   --list              print the choices of planes, the methods and the cases
 Planes are chosen evenly from 32 of each family. Lengths are in units of h, the geometric mean of
 the three spacings of all 32 planes, normals in degrees. Ruled surfaces and the distance volume of

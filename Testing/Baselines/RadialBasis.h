@@ -12,11 +12,11 @@
  * along these, as is usual where contours are the input.
  *
  * - The contours are sampled evenly. The system is dense, which limits the number of centres; they
- *   are chosen greedily (section 5 of the article).
+ *   are chosen greedily, as in the article.
  * - An off-surface point that comes near another part of the contours is moved closer to its own,
- *   or left out, so that thin parts keep their two sides (section 4 of the article).
- * - The surface is searched for from the contours on, as in the article (section 6): sheets that
- *   the function has far from all contours are left out.
+ *   or left out, so that thin parts keep their two sides.
+ * - The article follows the surface from the points that are given. Likewise, sheets that are the
+ *   nearest ones to no sample are left out.
  * - Outside the contours' box, enlarged on each axis by one mean gap between its planes (a tenth
  *   of the side if there are no two), the surface is cut off and closed.
  */

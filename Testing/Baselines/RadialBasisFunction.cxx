@@ -59,8 +59,8 @@ struct Fit
 };
 
 //------------------------------------------------------------------------------
-// COUNT of SIZE constraints, evenly. Zeros and the points on both sides of them follow each other in
-// threes: the first of one, the second of the next one and so on.
+// COUNT of SIZE constraints, evenly. A zero and the points on both sides of it follow each other:
+// the first of one such three, the second of another one and so on.
 Fit ChooseFirst(std::size_t count, std::size_t size)
 {
   Fit fit{ std::vector<bool>(size, false), std::vector<double>(size, 0.0) };

@@ -60,7 +60,7 @@ private:
 };
 
 /**
- * A function of few centres for many constraints, after section 5 of Carr et al. 2001: centres are
+ * A function of few centres for many constraints, after Carr et al. (RadialBasis.h): centres are
  * added where the function is farthest off, until all constraints hold within ACCURACY or there are
  * LARGEST centres, for which alone the constraints hold then. Consecutive constraints should be
  * neighbours, as new centres are kept apart by their order.
