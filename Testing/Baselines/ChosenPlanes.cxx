@@ -38,12 +38,6 @@ std::size_t NearestTo(double coordinate, const std::vector<Slice>& slices)
 std::vector<int> ChooseEvenly(const std::vector<Slice>& slices, std::size_t number)
 {
   std::vector<int> places(slices.size(), -1);
-  if (number == 1)
-  {
-    const double middle = 0.5 * (slices.front().Coordinate + slices.back().Coordinate);
-    places[NearestTo(middle, slices)] = 0;
-    return places;
-  }
   number = std::min(number, slices.size());
   for (std::size_t i = 0; i < number; ++i)
   {
