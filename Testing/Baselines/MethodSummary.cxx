@@ -131,13 +131,15 @@ void PrintNoiseTable(const std::vector<Row>& rows, std::ostream& out)
 std::string FormatComparisonCell(const std::vector<Row>& rows)
 {
   const auto summaries = SummarizeByMethod(rows);
-  if (summaries.empty())
+  const std::string distance =
+    summaries.empty() ? "-" : FormatMedian(summaries.front().RootMeanSquares, 3);
+  if (distance == "-")
   {
-    return "-";
+    return distance;
   }
   const MethodSummary& summary = summaries.front();
-  return FormatMedian(summary.RootMeanSquares, 3) + " (" + FormatMedian(summary.Normals, 0) +
-    "°, " + std::to_string(summary.Right) + ")";
+  return distance + " (" + FormatMedian(summary.Normals, 0) + "°, " +
+    std::to_string(summary.Right) + ")";
 }
 
 } // anonymous namespace
