@@ -34,10 +34,30 @@ std::size_t NearestTo(double coordinate, const std::vector<Slice>& slices)
 }
 
 //------------------------------------------------------------------------------
+// The middle one of the slices with contours, of which there is one.
+std::size_t MiddleOfAll(const std::vector<Slice>& slices)
+{
+  std::vector<std::size_t> used;
+  for (std::size_t i = 0; i < slices.size(); ++i)
+  {
+    if (!slices[i].Loops.empty())
+    {
+      used.push_back(i);
+    }
+  }
+  return used[used.size() / 2];
+}
+
+//------------------------------------------------------------------------------
 // For each slice its number among the chosen ones, or -1.
 std::vector<int> ChooseEvenly(const std::vector<Slice>& slices, std::size_t number)
 {
   std::vector<int> places(slices.size(), -1);
+  if (number == 1)
+  {
+    places[MiddleOfAll(slices)] = 0;
+    return places;
+  }
   number = std::min(number, slices.size());
   for (std::size_t i = 0; i < number; ++i)
   {
@@ -103,7 +123,7 @@ vtkSmartPointer<vtkPolyData> ChooseContours(vtkPolyData* source, int axis, std::
         ->InsertNextValue(place);
     }
   }
-  return family;
+  return family->GetNumberOfLines() > 0 ? family : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -21,9 +21,9 @@ namespace baselines
 
 /**
  * As many planes of each family as NUMBERS says, evenly among those that are there: plane
- * floor((i + 1/2) N / n) of N for i = 0 ... n - 1, so that a single one lies in the middle. A family
- * of which no plane is chosen is null. Planes without contours are planes like any other, and known
- * afterwards from the cell array "PlaneIndex".
+ * floor((i + 1/2) N / n) of N for i = 0 ... n - 1. Planes without contours are planes like any
+ * other, and known afterwards from the cell array "PlaneIndex"; but a single plane is the middle
+ * one of those that have contours. A family without contours is null.
  */
 SliceSets ChoosePlanes(const SliceSets& slices, const std::array<int, 3>& numbers);
 

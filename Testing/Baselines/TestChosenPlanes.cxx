@@ -78,6 +78,16 @@ TEST(ChosenPlanes, AnEmptyPlaneBetweenOthersStaysOne)
   EXPECT_EQ(slices[0].Loops.size(), 1u);
   EXPECT_TRUE(slices[1].Loops.empty());
   EXPECT_EQ(slices[2].Loops.size(), 1u);
+  EXPECT_EQ(CoordinatesOf(ChoosePlanes(balls, { 0, 0, 1 }), 2),
+    (std::vector<double>{ CoordinatesOf(balls, 2)[5] }));
+}
+
+//------------------------------------------------------------------------------
+TEST(ChosenPlanes, WithoutContoursThereIsNoFamily)
+{
+  const SliceSets none = ChoosePlanes(SliceSets(), { 1, 2, 3 });
+  EXPECT_EQ(none.Families[0], nullptr);
+  EXPECT_EQ(none.Families[2], nullptr);
 }
 
 //------------------------------------------------------------------------------
