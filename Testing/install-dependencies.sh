@@ -30,9 +30,9 @@ install_packages()
 # Compiler, CMake, GoogleTest and ParaView with its development files; and the packages given.
 install_dependencies()
 {
-  install_packages g++ cmake ninja-build python3-dev libgtest-dev libcgal-dev libopenmpi-dev \
-    openmpi-bin paraview paraview-dev python3-paraview libtbb-dev libglew-dev libfreetype-dev xvfb \
-    xauth "$@"
+  install_packages g++ cmake ninja-build python3-dev libgtest-dev libcgal-dev libeigen3-dev \
+    libopenmpi-dev openmpi-bin paraview paraview-dev python3-paraview libtbb-dev libglew-dev \
+    libfreetype-dev xvfb xauth "$@"
 }
 
 # What the core is built with and looked at by clang-tidy.

@@ -127,6 +127,21 @@ void PrintNoiseTable(const std::vector<Row>& rows, std::ostream& out)
   }
 }
 
+//------------------------------------------------------------------------------
+std::string FormatComparisonCell(const std::vector<Row>& rows)
+{
+  const auto summaries = SummarizeByMethod(rows);
+  const std::string distance =
+    summaries.empty() ? "-" : FormatMedian(summaries.front().RootMeanSquares, 3);
+  if (distance == "-")
+  {
+    return distance;
+  }
+  const MethodSummary& summary = summaries.front();
+  return distance + " (" + FormatMedian(summary.Normals, 0) + "°, " +
+    std::to_string(summary.Right) + ")";
+}
+
 } // anonymous namespace
 
 //------------------------------------------------------------------------------
@@ -207,6 +222,33 @@ void PrintNoiseTables(const std::vector<Row>& rows, std::ostream& out)
         << " surfaces, how many have the right topology, are watertight, have no triangles that "
            "cross).\nNoise: standard deviation of each vertex within its plane, in per cent of "
            "h.\n\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+void PrintComparisonTable(const std::vector<Row>& rows, std::ostream& out)
+{
+  const std::vector<MethodSummary> methods = SummarizeByMethod(rows);
+  std::string rule = "|---|";
+  out << "| planes |";
+  for (const MethodSummary& method : methods)
+  {
+    out << ' ' << method.MethodName << " |";
+    rule += "---|";
+  }
+  out << '\n' << rule << '\n';
+  for (const std::string& comparison : ComparisonsOf(rows))
+  {
+    out << "| " << comparison << " |";
+    for (const MethodSummary& method : methods)
+    {
+      out << ' '
+          << FormatComparisonCell(Select(rows,
+               [&](const Row& row)
+               { return row.ComparisonName == comparison && row.MethodName == method.MethodName; }))
+          << " |";
+    }
+    out << '\n';
   }
 }
 

@@ -54,6 +54,13 @@ void PrintMarkdownSummaries(const std::vector<Row>& rows, std::ostream& out);
  */
 void PrintNoiseTables(const std::vector<Row>& rows, std::ostream& out);
 
+/**
+ * One Markdown table with a line for each comparison and a column for each method: the median of
+ * the RMS distance, and in brackets the median of the normals' deviation in degrees and the number
+ * of surfaces with the right topology. "-" where a method was not run, or failed on most cases.
+ */
+void PrintComparisonTable(const std::vector<Row>& rows, std::ostream& out);
+
 } // namespace baselines
 } // namespace orthoslices
 
