@@ -91,6 +91,8 @@ CycleShape CycleDescriber::Describe(Index cycle)
   {
     shape.Flatness += shape.Weights[i] * Dot(shape.Normals[i], shape.Area);
   }
+  shape.Headings = FindHeadings(this->Geometry, this->NodeNormals, cycle);
+  shape.Flatness = std::max(shape.Flatness, 1.0 - 2.0 * TurnAcross(shape.Headings));
   return shape;
 }
 }

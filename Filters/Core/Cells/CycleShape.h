@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesCycleShape_h
 #define OrthoSlicesCycleShape_h
 
-#include "Core/Graph/CycleGeometry.h"
+#include "Core/Cells/BorderHeading.h"
 
 #include <vector>
 
@@ -23,6 +23,7 @@ struct CycleShape
   double Disagreement;         ///< the greatest at its node points
   std::vector<Point3> Normals; ///< unit normals of the surface at the border
   std::vector<double> Weights; ///< of the normals: their sum is 1, or 0 without normals
+  std::vector<Heading> Headings;
 };
 
 /// Describes cycles, one after another.

@@ -127,6 +127,8 @@ bool PairMeter::Measure(const CycleShape& a, const CycleShape& b, PairFeatures& 
       features.Steepness += 0.5 * shape->Weights[i] * std::abs(Dot(shape->Normals[i], direction));
     }
   }
+  features.Steepness =
+    std::max(features.Steepness, 2.0 * TurnBetween(a.Headings, b.Headings) - 1.0);
   features.Flatness = 0.5 * (a.Flatness + b.Flatness);
   features.Facing = (facing ? 1.0 : -1.0) * std::min(std::abs(facingA), std::abs(facingB));
   features.Distance = Length(line);
