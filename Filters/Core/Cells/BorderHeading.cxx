@@ -128,7 +128,7 @@ void HeadingFinder::AddArc(std::size_t first, std::size_t last, const Point3& in
       std::cos(tilt) * inwards + std::sin(tilt) * Cross(inwards, along);
     this->Found.push_back(
       { this->At(side) + (width > 0.0 ? (at - this->Along[side]) / width : 0.0) * step, direction,
-        length / (all * places) });
+        Cross(along, direction), length / (all * places) });
   }
 }
 
@@ -181,19 +181,31 @@ std::vector<Heading> FindHeadings(
   return HeadingFinder(geometry, nodeNormals, cycle).Find();
 }
 
-double TurnAcross(const std::vector<Heading>& headings)
+StraightWays FindWaysAcross(const std::vector<Heading>& headings)
 {
+  StraightWays ways;
   double sum = 0.0;
   for (const Heading& from : headings)
   {
     double least = std::numeric_limits<double>::infinity();
-    for (const Heading& to : headings)
+    std::size_t end = 0;
+    for (std::size_t to = 0; to < headings.size(); ++to)
     {
-      least = &from == &to ? least : std::min(least, TurnOf(from, to));
+      const double turn = &from == &headings[to] ? least : TurnOf(from, headings[to]);
+      if (turn < least)
+      {
+        least = turn;
+        end = to;
+      }
     }
-    sum += std::isfinite(least) ? from.Weight * least : from.Weight;
+    // The middle of the cubic curve that starts and ends along the headings.
+    const Heading& to = headings[end];
+    ways.Middle.push_back(0.5 * (from.Place + to.Place) +
+      (Length(to.Place - from.Place) / 8.0) * (from.Direction + to.Direction));
+    sum += from.Weight * (std::isfinite(least) ? least : 1.0);
   }
-  return sum;
+  ways.Turn = headings.empty() ? 1.0 : sum;
+  return ways;
 }
 
 double TurnBetween(const std::vector<Heading>& first, const std::vector<Heading>& second)

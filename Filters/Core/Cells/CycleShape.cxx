@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace orthoslices
 {
@@ -91,8 +92,21 @@ CycleShape CycleDescriber::Describe(Index cycle)
   {
     shape.Flatness += shape.Weights[i] * Dot(shape.Normals[i], shape.Area);
   }
-  shape.Headings = FindHeadings(this->Geometry, this->NodeNormals, cycle);
-  shape.Flatness = std::max(shape.Flatness, 1.0 - 2.0 * TurnAcross(shape.Headings));
+  const SpatialGrid& grid = this->Geometry.Grid;
+  shape.Sparse = std::min({ grid.Count(0), grid.Count(1), grid.Count(2) }) < 8;
+  if (shape.Sparse)
+  {
+  static const int mode = getenv("M") ? atoi(getenv("M")) : 63;
+    shape.Headings = FindHeadings(this->Geometry, this->NodeNormals, cycle);
+    if (!shape.Loop)
+    {
+      double f = 0.0;
+      for (const Heading& h : shape.Headings) f += h.Weight * Dot(h.Normal, shape.Area);
+      if (mode & 4) shape.Flatness = std::max(shape.Flatness, f);
+      shape.Ways = FindWaysAcross(shape.Headings);
+      shape.Flatness = std::max(shape.Flatness, 1.0 - 2.0 * shape.Ways.Turn);
+    }
+  }
   return shape;
 }
 }

@@ -20,10 +20,12 @@ struct CycleShape
   Point3 Apex;     ///< of the fan: the central point, for a loop the center
   Point3 Area;     ///< unit normal of the disc, outwards
   double Flatness; ///< mean cosine between the surface normals and Area; 0 for loops; see CycleJoin
+  bool Sparse = false;
   double Disagreement;         ///< the greatest at its node points
   std::vector<Point3> Normals; ///< unit normals of the surface at the border
   std::vector<double> Weights; ///< of the normals: their sum is 1, or 0 without normals
   std::vector<Heading> Headings;
+  StraightWays Ways;
 };
 
 /// Describes cycles, one after another.
