@@ -11,8 +11,8 @@ namespace support
 {
 namespace
 {
-Solid MakeSolid(const std::string& name, int components, int genus,
-  std::function<double(const Point3&)> function)
+Solid MakeSolid(
+  const std::string& name, int components, int genus, std::function<double(const Point3&)> function)
 {
   Solid solid;
   solid.Name = name;
@@ -50,7 +50,9 @@ Solid Pipe(double wall)
 Solid BallWithCavity(double wall)
 {
   return MakeSolid(NameOf("BallWithCavity", wall), 2, 0,
-    [=](const Point3& p) { return WallOf(FromBall(p, { 0.02, -0.01, 0.01 }, 1.0), wall); });
+    [=](const Point3& p) {
+      return WallOf(FromBall(p, { 0.02, -0.01, 0.01 }, 1.0), wall);
+    });
 }
 
 Solid OpenShell(double wall)
@@ -59,8 +61,7 @@ Solid OpenShell(double wall)
     [=](const Point3& p)
     {
       const double z = (p[2] - 0.2) / 1.2;
-      return std::max(
-        WallOf(std::hypot(p[0] - 0.02, p[1] + 0.01, z) - 1.0, wall), p[2] - 0.72);
+      return std::max(WallOf(std::hypot(p[0] - 0.02, p[1] + 0.01, z) - 1.0, wall), p[2] - 0.72);
     });
 }
 

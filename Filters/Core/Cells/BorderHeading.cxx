@@ -124,8 +124,7 @@ void HeadingFinder::AddArc(std::size_t first, std::size_t last, const Point3& in
     const double width = this->Along[side + 1] - this->Along[side];
     const Point3 step = this->At(side + 1) - this->At(side), along = Unit(step);
     const double tilt = (1.0 - share) * tiltFirst + share * tiltLast;
-    const Point3 direction =
-      std::cos(tilt) * inwards + std::sin(tilt) * Cross(inwards, along);
+    const Point3 direction = std::cos(tilt) * inwards + std::sin(tilt) * Cross(inwards, along);
     this->Found.push_back(
       { this->At(side) + (width > 0.0 ? (at - this->Along[side]) / width : 0.0) * step, direction,
         Cross(along, direction), length / (all * places) });
@@ -181,31 +180,19 @@ std::vector<Heading> FindHeadings(
   return HeadingFinder(geometry, nodeNormals, cycle).Find();
 }
 
-StraightWays FindWaysAcross(const std::vector<Heading>& headings)
+double TurnAcross(const std::vector<Heading>& headings)
 {
-  StraightWays ways;
   double sum = 0.0;
   for (const Heading& from : headings)
   {
     double least = std::numeric_limits<double>::infinity();
-    std::size_t end = 0;
-    for (std::size_t to = 0; to < headings.size(); ++to)
+    for (const Heading& to : headings)
     {
-      const double turn = &from == &headings[to] ? least : TurnOf(from, headings[to]);
-      if (turn < least)
-      {
-        least = turn;
-        end = to;
-      }
+      least = &from == &to ? least : std::min(least, TurnOf(from, to));
     }
-    // The middle of the cubic curve that starts and ends along the headings.
-    const Heading& to = headings[end];
-    ways.Middle.push_back(0.5 * (from.Place + to.Place) +
-      (Length(to.Place - from.Place) / 8.0) * (from.Direction + to.Direction));
     sum += from.Weight * (std::isfinite(least) ? least : 1.0);
   }
-  ways.Turn = headings.empty() ? 1.0 : sum;
-  return ways;
+  return headings.empty() ? 1.0 : sum;
 }
 
 double TurnBetween(const std::vector<Heading>& first, const std::vector<Heading>& second)

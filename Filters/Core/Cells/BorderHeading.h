@@ -27,21 +27,14 @@ struct Heading
 std::vector<Heading> FindHeadings(
   const CycleGeometry& geometry, const std::vector<double>& nodeNormals, Index cycle);
 
-/// The way across a cycle on which its surface has to turn least.
-struct StraightWays
-{
-  /// For each heading the middle of the way to the other end, if the surface bends evenly.
-  std::vector<Point3> Middle;
-  /**
-   * The mean turn over the border: the sum of the two angles that the headings at both ends have
-   * against the straight line, as a part of 180 degrees. It is 0 if the border is that of a sheet,
-   * whose surface leaves one side of it straight towards another one, whatever shape it has
-   * otherwise; 1 if it is the end of a tube, which has to turn back.
-   */
-  double Turn = 1.0;
-};
-
-StraightWays FindWaysAcross(const std::vector<Heading>& headings);
+/**
+ * How far the surface of a cycle has to turn to get across: at each heading the least sum of the two
+ * angles that it and the heading at another place have against the straight line between them, as
+ * a part of 180 degrees; the mean over the border. It is 0 if the border is that of a sheet, whose
+ * surface leaves one side of it straight towards another one, whatever shape it has otherwise; 1 if
+ * it is the end of a tube, which has to turn back.
+ */
+double TurnAcross(const std::vector<Heading>& headings);
 
 /**
  * How far it would have to turn to get from each of two cycles to the nearest place of the other

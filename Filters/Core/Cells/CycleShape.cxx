@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace orthoslices
 {
@@ -47,6 +46,27 @@ void CycleDescriber::AddNormals(CycleShape& shape) const
   {
     weight /= total > 0.0 ? total : 1.0;
   }
+}
+
+/**
+ * The border is that of a sheet if normals all along it point to the same side as the disc does, or
+ * if the surface goes straight across: 1 if it need not turn, 0 if by 90 degrees in the mean.
+ */
+void CycleDescriber::AddHeadings(CycleShape& shape) const
+{
+  const SpatialGrid& grid = this->Geometry.Grid;
+  if (shape.Loop || std::min({ grid.Count(0), grid.Count(1), grid.Count(2) }) >= MinPlanes)
+  {
+    return;
+  }
+  shape.Headings = FindHeadings(this->Geometry, this->NodeNormals, shape.Cycle);
+  shape.Turn = TurnAcross(shape.Headings);
+  double flatness = 0.0;
+  for (const Heading& heading : shape.Headings)
+  {
+    flatness += heading.Weight * Dot(heading.Normal, shape.Area);
+  }
+  shape.Flatness = std::max({ shape.Flatness, flatness, 1.0 - 2.0 * shape.Turn });
 }
 
 CycleShape CycleDescriber::Describe(Index cycle)
@@ -92,21 +112,7 @@ CycleShape CycleDescriber::Describe(Index cycle)
   {
     shape.Flatness += shape.Weights[i] * Dot(shape.Normals[i], shape.Area);
   }
-  const SpatialGrid& grid = this->Geometry.Grid;
-  shape.Sparse = std::min({ grid.Count(0), grid.Count(1), grid.Count(2) }) < 8;
-  if (shape.Sparse)
-  {
-  static const int mode = getenv("M") ? atoi(getenv("M")) : 63;
-    shape.Headings = FindHeadings(this->Geometry, this->NodeNormals, cycle);
-    if (!shape.Loop)
-    {
-      double f = 0.0;
-      for (const Heading& h : shape.Headings) f += h.Weight * Dot(h.Normal, shape.Area);
-      if (mode & 4) shape.Flatness = std::max(shape.Flatness, f);
-      shape.Ways = FindWaysAcross(shape.Headings);
-      shape.Flatness = std::max(shape.Flatness, 1.0 - 2.0 * shape.Ways.Turn);
-    }
-  }
+  this->AddHeadings(shape);
   return shape;
 }
 }

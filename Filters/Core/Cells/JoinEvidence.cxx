@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <limits>
 
 namespace orthoslices
@@ -26,6 +24,29 @@ struct Candidate
   CycleJoin Join;
   std::array<double, 2> Distance;
 };
+
+/**
+ * How steep the line between two cycles is on the surface, as far as their headings tell: the mean
+ * cosine, without its sign, between the line and the normals all along both borders; or how much
+ * more the surface has to turn to get from one to the other than to get across each, which is 1
+ * for two sheets above each other. 0 without headings.
+ */
+double SteepnessOfBorders(const CycleShape& a, const CycleShape& b, const Point3& direction)
+{
+  if (a.Headings.empty() || b.Headings.empty())
+  {
+    return 0.0;
+  }
+  double steepness = 0.0;
+  for (const CycleShape* shape : { &a, &b })
+  {
+    for (const Heading& heading : shape->Headings)
+    {
+      steepness += 0.5 * heading.Weight * std::abs(Dot(heading.Normal, direction));
+    }
+  }
+  return std::max(steepness, TurnBetween(a.Headings, b.Headings) - 0.5 * (a.Turn + b.Turn));
+}
 
 /// Measures the pairs of cycles of one cell after another.
 class PairMeter
@@ -91,19 +112,6 @@ double PairMeter::DistanceTo(const CycleShape& loop, const CycleShape& patch) co
     const Point3& p =
       loop.Border[static_cast<std::size_t>(static_cast<std::int64_t>(s) * count / samples)];
     double minimum = std::numeric_limits<double>::infinity();
-    static const int mode = getenv("M") ? atoi(getenv("M")) : 63;
-    if (patch.Sparse && !patch.Loop && (mode & 8))
-    {
-      for (std::size_t i = 0; i < patch.Headings.size(); ++i)
-      {
-        const std::size_t n = (i + 1) % patch.Headings.size();
-        minimum = std::min({minimum,
-          SquaredDistanceToTriangle(p, patch.Headings[i].Place, patch.Headings[n].Place, patch.Ways.Middle[i]),
-          SquaredDistanceToTriangle(p, patch.Headings[n].Place, patch.Ways.Middle[i], patch.Ways.Middle[n])});
-      }
-      sum += std::sqrt(minimum);
-      continue;
-    }
     for (std::size_t i = 0; i < patch.Border.size(); ++i)
     {
       minimum = std::min(minimum,
@@ -142,29 +150,10 @@ bool PairMeter::Measure(const CycleShape& a, const CycleShape& b, PairFeatures& 
       features.Steepness += 0.5 * shape->Weights[i] * std::abs(Dot(shape->Normals[i], direction));
     }
   }
-  static const int mode = getenv("M") ? atoi(getenv("M")) : 63;
-  if (!a.Loop && !b.Loop && a.Sparse)
-  {
-    if (mode & 1) features.Steepness =
-      std::max(features.Steepness, 2.0 * TurnBetween(a.Headings, b.Headings) - 1.0);
-    double steep = 0.0;
-    for (const CycleShape* shape : { &a, &b })
-    {
-      for (const Heading& h : shape->Headings)
-      {
-        steep += 0.5 * h.Weight * std::abs(Dot(h.Normal, direction));
-      }
-    }
-    if (mode & 2) features.Steepness = std::max(features.Steepness, steep);
-  }
+  features.Steepness = std::max(features.Steepness, SteepnessOfBorders(a, b, direction));
   features.Flatness = 0.5 * (a.Flatness + b.Flatness);
   features.Facing = (facing ? 1.0 : -1.0) * std::min(std::abs(facingA), std::abs(facingB));
   features.Distance = Length(line);
-  if (a.Sparse && a.Loop != b.Loop && (mode & 16))
-  {
-    features.Distance =
-      std::max(features.Distance, this->Step * (a.Loop ? this->DistanceTo(a, b) : this->DistanceTo(b, a)));
-  }
   features.Disagreement = std::max(a.Disagreement, b.Disagreement);
   features.Step = this->Step;
   const double radii = a.Radius + b.Radius;
