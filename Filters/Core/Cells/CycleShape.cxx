@@ -48,6 +48,27 @@ void CycleDescriber::AddNormals(CycleShape& shape) const
   }
 }
 
+/**
+ * The border is that of a sheet if normals all along it point to the same side as the disc does, or
+ * if the surface goes straight across: 1 if it need not turn, 0 if by 90 degrees in the mean.
+ */
+void CycleDescriber::AddHeadings(CycleShape& shape) const
+{
+  const SpatialGrid& grid = this->Geometry.Grid;
+  if (shape.Loop || std::min({ grid.Count(0), grid.Count(1), grid.Count(2) }) >= MinPlanes)
+  {
+    return;
+  }
+  shape.Headings = FindHeadings(this->Geometry, this->NodeNormals, shape.Cycle);
+  shape.Turn = TurnAcross(shape.Headings);
+  double flatness = 0.0;
+  for (const Heading& heading : shape.Headings)
+  {
+    flatness += heading.Weight * Dot(heading.Normal, shape.Area);
+  }
+  shape.Flatness = std::max({ shape.Flatness, flatness, 1.0 - 2.0 * shape.Turn });
+}
+
 CycleShape CycleDescriber::Describe(Index cycle)
 {
   CycleShape shape;
@@ -91,6 +112,7 @@ CycleShape CycleDescriber::Describe(Index cycle)
   {
     shape.Flatness += shape.Weights[i] * Dot(shape.Normals[i], shape.Area);
   }
+  this->AddHeadings(shape);
   return shape;
 }
 }

@@ -32,6 +32,29 @@ struct Candidate
   std::array<double, 2> Distance;
 };
 
+/**
+ * How steep the line between two cycles is on the surface, as far as their headings tell: the mean
+ * cosine, without its sign, between the line and the normals all along both borders; or how much
+ * more the surface has to turn to get from one to the other than to get across each, which is 1
+ * for two sheets above each other. 0 without headings.
+ */
+double SteepnessOfBorders(const CycleShape& a, const CycleShape& b, const Point3& direction)
+{
+  if (a.Headings.empty() || b.Headings.empty())
+  {
+    return 0.0;
+  }
+  double steepness = 0.0;
+  for (const CycleShape* shape : { &a, &b })
+  {
+    for (const Heading& heading : shape->Headings)
+    {
+      steepness += 0.5 * heading.Weight * std::abs(Dot(heading.Normal, direction));
+    }
+  }
+  return std::max(steepness, TurnBetween(a.Headings, b.Headings) - 0.5 * (a.Turn + b.Turn));
+}
+
 /// Measures the pairs of cycles of one cell after another.
 class PairMeter
 {
@@ -143,6 +166,7 @@ bool PairMeter::Measure(const CycleShape& a, const CycleShape& b, PairFeatures& 
       features.Steepness += 0.5 * shape->Weights[i] * std::abs(Dot(shape->Normals[i], direction));
     }
   }
+  features.Steepness = std::max(features.Steepness, SteepnessOfBorders(a, b, direction));
   features.Flatness = 0.5 * (a.Flatness + b.Flatness);
   features.Facing = (facing ? 1.0 : -1.0) * std::min(std::abs(facingA), std::abs(facingB));
   features.Distance = Length(line);
