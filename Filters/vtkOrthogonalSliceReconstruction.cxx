@@ -53,6 +53,11 @@ constexpr Choice<orthoslices::CrossingContours> CrossingContoursModes[] = {
   { Filter::REFUSE_CROSSING, orthoslices::CrossingContours::Refuse, "Refuse" },
   { Filter::LEAVE_OUT_CROSSING, orthoslices::CrossingContours::LeaveOut, "LeaveOut" }
 };
+constexpr Choice<orthoslices::VirtualSlices> VirtualSlicesModes[] = {
+  { Filter::AUTOMATIC_VIRTUAL_SLICES, orthoslices::VirtualSlices::Automatic, "Automatic" },
+  { Filter::NO_VIRTUAL_SLICES, orthoslices::VirtualSlices::Off, "Off" },
+  { Filter::VIRTUAL_SLICES_BY_SPACING, orthoslices::VirtualSlices::BySpacing, "BySpacing" }
+};
 constexpr Choice<orthoslices::SeveralCycles> SeveralCyclesModes[] = {
   { Filter::BY_EVIDENCE, orthoslices::SeveralCycles::ByEvidence, "ByEvidence" },
   { Filter::DISCS, orthoslices::SeveralCycles::Discs, "Discs" }
@@ -91,7 +96,7 @@ constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
   return true;
 }
 static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
-    IsIndexed(CrossingContoursModes) && IsIndexed(SeveralCyclesModes) &&
+    IsIndexed(CrossingContoursModes) && IsIndexed(VirtualSlicesModes) && IsIndexed(SeveralCyclesModes) &&
     IsIndexed(Correspondences) && IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
   "The setters clamp properties to their first and last value");
 
@@ -233,6 +238,7 @@ bool vtkOrthogonalSliceReconstruction::CheckProperties()
          std::make_pair("ChordTolerance", this->ChordTolerance),
          std::make_pair("CornerAngle", this->CornerAngle),
          std::make_pair("Smoothing", this->Smoothing),
+         std::make_pair("VirtualSliceSpacing", this->VirtualSliceSpacing),
          std::make_pair("ContourTolerance", this->ContourTolerance) })
   {
     if (std::isnan(tolerance.second))
@@ -296,6 +302,9 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.PlaneTolerance = this->PlaneTolerance;
   options.Orient = Orientations[this->Orientation].Value;
   options.InsertMissing = this->InsertMissingContours;
+  options.Virtual = VirtualSlicesModes[this->VirtualSlices].Value;
+  options.VirtualSpacing = this->VirtualSliceSpacing;
+  if (getenv("VS")) options.Virtual = orthoslices::VirtualSlices::Off;
   options.RefuseInvalid = InvalidContoursModes[this->InvalidContours].Value;
   options.Crossing = CrossingContoursModes[this->CrossingContours].Value;
   if (std::any_of(this->AxisWeights, this->AxisWeights + 3, [](double w) { return w > 0.0; }))
@@ -386,6 +395,8 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CrossingContours: " << CrossingContoursModes[this->CrossingContours].Name
      << "\n";
   os << indent << "InsertMissingContours: " << (this->InsertMissingContours ? "On" : "Off") << "\n";
+  os << indent << "VirtualSlices: " << VirtualSlicesModes[this->VirtualSlices].Name << "\n";
+  os << indent << "VirtualSliceSpacing: " << this->VirtualSliceSpacing << "\n";
   os << indent << "SeveralCycles: " << SeveralCyclesModes[this->SeveralCycles].Name << "\n";
   os << indent << "Correspondence: " << Correspondences[this->Correspondence].Name << "\n";
   os << indent << "ExpectedComponents: " << this->ExpectedComponents << "\n";

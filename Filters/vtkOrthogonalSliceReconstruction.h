@@ -185,6 +185,12 @@ public:
     DISCS = 1
   };
 
+  enum VirtualSlicesMode
+  {
+    AUTOMATIC_VIRTUAL_SLICES = 0,
+    NO_VIRTUAL_SLICES = 1,
+    VIRTUAL_SLICES_BY_SPACING = 2
+  };
   enum CorrespondenceMode
   {
     CORRESPOND_BY_EVIDENCE = 0,
@@ -263,6 +269,31 @@ public:
   vtkSetMacro(InsertMissingContours, bool);
   vtkGetMacro(InsertMissingContours, bool);
   vtkBooleanMacro(InsertMissingContours, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What carries the shape across cells that are large against it: where a family of slices is
+   * missing, and between slices that are far apart. First the surface is made from the slices as
+   * they are; then the surface of the same topology that bends least between their contours is cut
+   * on additional, virtual planes, and the surface is made once more from real and virtual slices.
+   * Real slices outrank virtual ones everywhere; the report counts real ones only, and an array
+   * "Virtual" tells them apart in the graph and in the table of slices. Should the topology come out
+   * otherwise, the first surface stays.
+   *
+   * Automatic (default): virtual planes are as far apart as the slices of the densest family, at
+   * most a twelfth and at least a 64th of the extent along their axis; three families of a dozen
+   * slices or more get none. Off: none. By spacing: as far apart as VirtualSliceSpacing says, in
+   * world units, wherever slices are farther apart than that. Valid range of the spacing: 0 (by
+   * the automatic rule) or more; default 0.
+   */
+  vtkSetClampMacro(VirtualSlices, int, AUTOMATIC_VIRTUAL_SLICES, VIRTUAL_SLICES_BY_SPACING);
+  vtkGetMacro(VirtualSlices, int);
+  void SetVirtualSlicesToAutomatic() { this->SetVirtualSlices(AUTOMATIC_VIRTUAL_SLICES); }
+  void SetVirtualSlicesToOff() { this->SetVirtualSlices(NO_VIRTUAL_SLICES); }
+  void SetVirtualSlicesToBySpacing() { this->SetVirtualSlices(VIRTUAL_SLICES_BY_SPACING); }
+  vtkSetClampMacro(VirtualSliceSpacing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(VirtualSliceSpacing, double);
   ///@}
 
   ///@{
@@ -514,6 +545,8 @@ private:
   double AxisWeights[3] = { 1.0, 1.0, 1.0 };
   double ReportTolerance = 1e-3;
   bool InsertMissingContours = true;
+  int VirtualSlices = AUTOMATIC_VIRTUAL_SLICES;
+  double VirtualSliceSpacing = 0.0;
   bool ComputeNormals = true;
   bool ComputeCurvatures = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;

@@ -197,9 +197,7 @@ void DescribeLeftOut(const Reconstruction& result, std::ostringstream& text)
 /// Places where the surface may well be joined otherwise, and where to slice next on their account.
 void DescribeDoubts(const Reconstruction& result, std::ostringstream& text)
 {
-  const CycleGeometry geometry = GeometryOf(result);
-  const UndecidedPlaces doubtful =
-    FindUndecidedPlaces(geometry, FindDoubtfulJoins(geometry, result.Joins), 1);
+  const UndecidedPlaces& doubtful = result.Doubtful;
   if (doubtful.Planes.empty())
   {
     return;

@@ -17,7 +17,7 @@ namespace orthoslices
 {
 void WriteHistogram(const Reconstruction& result, vtkTable* table)
 {
-  const std::vector<Index> histogram = CountPolygonSizes(result.Cycles, result.Graph);
+  const std::vector<Index>& histogram = result.PolygonSizes;
   vtkNew<vtkIdTypeArray> size;
   vtkNew<vtkIdTypeArray> count;
   size->SetName("PolygonSize");

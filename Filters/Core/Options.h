@@ -20,6 +20,14 @@ enum class CrossingContours
   LeaveOut ///< removed
 };
 
+/// Where slices are too few, others are made up between them; see Sparse/VirtualSlices.h.
+enum class VirtualSlices
+{
+  Automatic, ///< where they are needed, as SliceDensity says
+  Off,
+  BySpacing ///< wherever slices are farther apart than VirtualSpacing
+};
+
 struct Options
 {
   double PlaneTolerance = 1e-5; ///< as a fraction of the diagonal of all contours
@@ -37,8 +45,8 @@ struct Options
   PatchOptions Patching;
   double Smoothing = 0.0;        ///< of contours, in mean plane spacings; see SmoothContours
   double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
-  /// Distance of virtual planes, see SliceDensity: 0 by the slices there are, negative: none.
-  double VirtualSpacing = -1.0;
+  VirtualSlices Virtual = VirtualSlices::Off;
+  double VirtualSpacing = 0.0; ///< with VirtualSlices::BySpacing, in world units
   /// Smaller ones are left out, by the diagonal of their bounding box as a fraction of that of all
   /// contours.
   double MinIsolatedContour = 0.0;

@@ -4,6 +4,7 @@
 
 #include "Core/Base/Box.h"
 #include "Core/CheckInvariants.h"
+#include "Core/Cells/DoubtfulJoins.h"
 #include "Core/Crossings/NodeNormals.h"
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/SimplifyArcs.h"
@@ -137,6 +138,21 @@ void AddVirtual(const Contours& others, Contours& contours)
   }
 }
 
+SliceDensity DensityOf(const Contours& contours, const SpatialGrid& grid, const Options& options)
+{
+  return { grid, BoxOf(contours),
+    options.Virtual == VirtualSlices::BySpacing ? options.VirtualSpacing : 0.0 };
+}
+
+/// What the slices leave open, and what of that the user has to be told.
+void ListDoubts(Reconstruction& result)
+{
+  const CycleGeometry geometry = GeometryOf(result);
+  result.PolygonSizes = CountPolygonSizes(result.Cycles, result.Graph);
+  result.Undecided = FindUndecidedPlaces(geometry, result.Joins);
+  result.Doubtful = FindUndecidedPlaces(geometry, FindDoubtfulJoins(geometry, result.Joins), 1);
+}
+
 /// Runs the stages one after another; see Reconstruct.h.
 class StageRunner
 {
@@ -151,23 +167,7 @@ public:
   Reconstruction Run(std::array<Pieces, 3>&& pieces);
 
 private:
-  StageRunner(const StageRunner& first, Contours&& contours)
-    : Settings(first.Settings)
-    , Execute(first.Execute)
-    , Observe(first.Observe)
-  {
-    this->Settings.Known.Components = first.Result.Topology.Components;
-    this->Settings.Known.Genus = first.Result.Topology.Genus;
-    this->Tables.Tolerance = first.Tables.Tolerance;
-    this->Tables.Contours = std::move(contours);
-    this->Inserted = first.Inserted;
-    this->Result.Invalid = first.Result.Invalid;
-    this->Result.CrossingProblems = first.Result.CrossingProblems;
-    this->Result.ContourCount = first.Result.ContourCount;
-    this->Result.Diagonal = first.Result.Diagonal;
-    this->Result.Grid = BuildSpatialGrid(
-      this->Tables.Contours, this->Tables.Tolerance, this->Settings.SinglePrecision);
-  }
+  StageRunner(const StageRunner& first, Contours&& contours);
   bool MakeSurface();
   bool AddVirtualSlices();
   bool ReadContours(std::array<Pieces, 3>&& pieces);
@@ -189,6 +189,27 @@ private:
   Contours Drawn; ///< a copy of the contours, where they are too few
   Reconstruction Result;
 };
+
+/// For contours with those of virtual slices among them: the topology is that of the first surface,
+/// and so is what the report says of the input.
+StageRunner::StageRunner(const StageRunner& first, Contours&& contours)
+  : StageRunner(first.Settings, first.Execute, first.Observe)
+{
+  this->Settings.Known = { first.Result.Topology.Components, first.Result.Topology.Genus };
+  this->Tables.Tolerance = first.Tables.Tolerance;
+  this->Tables.Contours = std::move(contours);
+  this->Inserted = first.Inserted;
+  Reconstruction& result = this->Result;
+  result.Invalid = first.Result.Invalid;
+  result.CrossingProblems = first.Result.CrossingProblems;
+  result.ContourCount = first.Result.ContourCount;
+  result.Diagonal = first.Result.Diagonal;
+  result.PolygonSizes = first.Result.PolygonSizes;
+  result.Undecided = first.Result.Undecided;
+  result.Doubtful = first.Result.Doubtful;
+  result.Grid = BuildSpatialGrid(
+    this->Tables.Contours, this->Tables.Tolerance, this->Settings.SinglePrecision);
+}
 
 void StageRunner::Finish(Stage stage) const
 {
@@ -269,8 +290,8 @@ bool StageRunner::OrientSlices()
   }
   SmoothContours(
     result.Grid, options.Smoothing, options.Patching.CornerAngle, this->Execute, contours);
-  if (options.VirtualSpacing >= 0.0 &&
-    SliceDensity(result.Grid, BoxOf(contours), options.VirtualSpacing).IsSparse())
+  if (options.Virtual != VirtualSlices::Off && !result.InsideOut &&
+    DensityOf(contours, result.Grid, options).IsSparse())
   {
     this->Drawn = contours;
   }
@@ -337,7 +358,10 @@ bool StageRunner::PatchCells()
   PatchAllCells(
     this->Settings, this->Execute, [this](Stage stage) { this->Finish(stage); },
     this->Tables.NodeNormals, this->Result);
-  this->Result.Undecided = FindUndecidedPlaces(GeometryOf(this->Result), this->Result.Joins);
+  if (!this->Result.Grid.HasVirtual()) // else they are known
+  {
+    ListDoubts(this->Result);
+  }
   this->Report(DescribeShells(this->Result));
   this->Finish(Stage::FindUndecidedPlaces);
   return this->GoOn(0.7);
@@ -373,33 +397,35 @@ bool StageRunner::MakeSurface()
   return this->MakeSlicesAgree() && this->BuildGraph() && this->PatchCells() && this->FillCycles();
 }
 
-/// Where slices are few, the surface bends from one to the next as little as it can, and takes part
-/// once more as slices between them.
+/// Where slices are few, the surface bends from one to the next as little as it can, and is cut on
+/// planes between them; from the real and these virtual slices it is made once more. If that does
+/// not have the same topology, the first surface stays.
 bool StageRunner::AddVirtualSlices()
 {
-  Reconstruction& first = this->Result;
-  if (this->Drawn.Count() == 0 || first.InsideOut)
+  const Reconstruction& first = this->Result;
+  if (this->Drawn.Count() == 0)
   {
     return true;
   }
-  const SliceDensity density(first.Grid, BoxOf(this->Drawn), this->Settings.VirtualSpacing);
-  const Contours added =
-    MakeVirtualSlices(GeometryOf(first), first.Surface, density, this->Execute);
+  const Contours added = MakeVirtualSlices(GeometryOf(first), first.Surface,
+    DensityOf(this->Drawn, first.Grid, this->Settings), this->Execute);
   if (added.Count() == 0)
   {
     return true;
   }
   AddVirtual(added, this->Drawn);
   StageRunner again(*this, std::move(this->Drawn));
-  const bool goesOn = again.MakeSurface();
-  const SurfaceTopology& topology = again.Result.Topology;
-  if (goesOn && (topology.Components != first.Topology.Components || topology.Genus != first.Topology.Genus))
+  if (!again.MakeSurface())
   {
-    if (getenv("FB")) fprintf(stderr, "FALLBACK %d/%d -> %d/%d\n", first.Topology.Components, first.Topology.Genus, topology.Components, topology.Genus);
-    return true;
+    this->Result.Stopped = true;
+    return false;
   }
-  this->Result = std::move(again.Result);
-  return goesOn;
+  if (again.Result.Topology == first.Topology)
+  {
+    this->Result = std::move(again.Result);
+  }
+  else if (getenv("FB")) fprintf(stderr, "FALLBACK\n");
+  return true;
 }
 
 Reconstruction StageRunner::Run(std::array<Pieces, 3>&& pieces)

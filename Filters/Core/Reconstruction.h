@@ -53,7 +53,9 @@ struct Reconstruction
   Index DoubtfulCycles = 0;     ///< of cells so narrow that their patches may touch
   std::vector<CycleJoin> Joins; ///< what the slices leave open, and what was chosen
   SurfaceTopology Topology;
-  UndecidedPlaces Undecided;
+  std::vector<Index> PolygonSizes; ///< see CountPolygonSizes; of the real slices alone
+  UndecidedPlaces Undecided;       ///< those of the real slices alone
+  UndecidedPlaces Doubtful;        ///< of these, the ones to tell the user of; see FindDoubtfulJoins
   Index SmallComponents = 0; ///< left out
   SurfaceNormals Normals;    ///< of G; not for PatchMethod::Fan and Coons
   Patches Surface;

@@ -41,6 +41,8 @@ def check_defaults():
         "Orientation": "By Nesting",
         "InvalidContours": "Refuse",
         "InsertMissingContours": 1,
+        "VirtualSlices": "Automatic",
+        "VirtualSliceSpacing": 0.0,
         "PlaneTolerance": 1e-5,
         "PatchType": "Smooth",
         "EdgeLength": 0.25,

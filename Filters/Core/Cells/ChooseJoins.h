@@ -22,6 +22,11 @@ struct SurfaceTopology
 {
   Index Components = 0;
   Index Genus = 0;
+
+  bool operator==(const SurfaceTopology& other) const
+  {
+    return this->Components == other.Components && this->Genus == other.Genus;
+  }
 };
 
 /**
