@@ -31,6 +31,10 @@ struct LoopPair
  * each other, cycles much wider than their distance (parallel sheets), and loops side by side on
  * one face.
  *
+ * With fewer than MinPlanes on an axis, contours turn all the way around between two node points,
+ * whose normals then do not speak for them: D and T count as what the *headings* along the whole
+ * border say, if that is more. See FindHeadings, CycleShape and SteepnessOfBorders.
+ *
  * An isolated contour has to go on somewhere: the nearest patch in one of its two cells, at the
  * distance d, has an evidence of at least ContinuationEvidence - d. With slices on one axis only,
  * this is so in each of its two cells. That alone makes no handle then: a contour that is connected

@@ -3,6 +3,8 @@
 #include "Core/Cells/JoinEvidence.h"
 
 #include "Core/Base/Vectors.h"
+#include "Core/Cells/BorderHeading.h"
+#include "Core/Cells/CycleShape.h"
 #include "Core/Reconstruct.h"
 #include "Support/RandomInput.h"
 
@@ -80,6 +82,36 @@ double MeanOverNodes(
   }
   return count > 0 ? sum / count : HUGE_VAL;
 }
+
+/// What the headings add with few planes to the means over the node points: the greater one counts.
+struct BorderMeans
+{
+  BorderMeans(const EvidenceTables& tables, Index cycle)
+    : Headings(FindHeadings(tables.Geometry, tables.NodeNormals, cycle))
+  {
+    const SpatialGrid& grid = tables.Geometry.Grid;
+    this->Used = std::min({ grid.Count(0), grid.Count(1), grid.Count(2) }) < MinPlanes;
+  }
+
+  double Mean(const std::function<double(const Point3&)>& function) const
+  {
+    double sum = 0.0;
+    for (const Heading& heading : this->Headings)
+    {
+      sum += heading.Weight * function(heading.Normal);
+    }
+    return sum;
+  }
+  double Flatness(double atNodes, const std::function<double(const Point3&)>& function) const
+  {
+    return this->Used
+      ? std::max({ atNodes, this->Mean(function), 1.0 - 2.0 * TurnAcross(this->Headings) })
+      : atNodes;
+  }
+
+  std::vector<Heading> Headings;
+  bool Used;
+};
 
 /// Two squares of side 2 on the planes z = 0 and z = `height`, the second one shifted along x.
 std::string TwoSquares(double height, double shift)
@@ -216,11 +248,21 @@ TEST(JoinEvidence, FeaturesAreAsDefined)
             }
             const PairFeatures& features = at->second;
             const auto alongLine = [&](const Point3& n) { return std::abs(Dot(n, line)); };
-            const double steepness =
+            const BorderMeans borderA(tables, a), borderB(tables, b);
+            double steepness =
               0.5 * (MeanOverNodes(tables, a, alongLine) + MeanOverNodes(tables, b, alongLine));
+            if (borderA.Used && !std::isinf(steepness))
+            {
+              const double turn = TurnBetween(borderA.Headings, borderB.Headings) -
+                0.5 * (TurnAcross(borderA.Headings) + TurnAcross(borderB.Headings));
+              steepness = std::max(
+                { steepness, 0.5 * (borderA.Mean(alongLine) + borderB.Mean(alongLine)), turn });
+            }
+            const auto outA = [&](const Point3& n) { return Dot(n, first.Normal); };
+            const auto outB = [&](const Point3& n) { return Dot(n, second.Normal); };
             const double flatness = 0.5 *
-              (MeanOverNodes(tables, a, [&](const Point3& n) { return Dot(n, first.Normal); }) +
-                MeanOverNodes(tables, b, [&](const Point3& n) { return Dot(n, second.Normal); }));
+              (borderA.Flatness(MeanOverNodes(tables, a, outA), outA) +
+                borderB.Flatness(MeanOverNodes(tables, b, outB), outB));
             if (std::isinf(steepness))
             {
               continue; // no normals are known
