@@ -69,8 +69,8 @@ Operator MakeOperator(EdgeWeights weights, const SurfaceMesh& mesh)
 }
 
 /// Least bending where the points with `place` >= 0 are free, numbered by their place.
-bool Solve(const Operator& bending, const std::vector<Index>& place, Index freePoints,
-  std::vector<Point3>& points)
+bool Solve(const Operator& bending, const std::vector<std::uint8_t>& crease,
+  const std::vector<Index>& place, Index freePoints, std::vector<Point3>& points)
 {
   // Columns of free points, and what the others add to each row.
   const Index count = static_cast<Index>(points.size());
@@ -88,6 +88,10 @@ bool Solve(const Operator& bending, const std::vector<Index>& place, Index freeP
     for (Matrix::InnerIterator entry(bending.Laplacian, column); entry; ++entry)
     {
       const Index row = static_cast<Index>(entry.row());
+      if (crease[row])
+      {
+        continue; // an edge of the surface bends as it likes
+      }
       const double value =
         entry.value() / std::sqrt(std::max(bending.Area[row], leastArea));
       if (place[column] >= 0)
@@ -153,7 +157,7 @@ void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
   for (int round = 0; round < rounds; ++round)
   {
     const Index freePoints = NumberFreePoints(mesh, stopped, place);
-    if (freePoints == 0 || !Solve(bending, place, freePoints, mesh.Points))
+    if (freePoints == 0 || !Solve(bending, mesh.Crease, place, freePoints, mesh.Points))
     {
       return;
     }

@@ -125,6 +125,38 @@ void FindStretch(const CycleGeometry& geometry, SurfaceMesh& mesh)
     mesh.Stretch[point] = greatest;
   }
 }
+
+/// A patch that is as flat as that against the distance of slices ends the object there.
+constexpr double Flatness = 0.02;
+
+/// Where the object ends with a flat patch in a slice, the surface has an edge around it.
+void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches, SurfaceMesh& mesh)
+{
+  for (Index patch = 0; patch < geometry.Cycles.Count(); ++patch)
+  {
+    Box3 box;
+    const auto forPoints = [&](auto&& visit)
+    {
+      for (std::int64_t triangle = patches.Offsets[patch]; triangle < patches.Offsets[patch + 1];
+           ++triangle)
+      {
+        for (Index corner = 0; corner < 3; ++corner)
+        {
+          visit(mesh.Corners.VertexOf(static_cast<Index>(3 * triangle) + corner));
+        }
+      }
+    };
+    forPoints([&](Index point) { box.Add(mesh.Points[point]); });
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (geometry.Grid.Count(axis) > 1 &&
+        box.High[axis] - box.Low[axis] < Flatness * geometry.Grid.MeanSpacing(axis))
+      {
+        forPoints([&](Index point) { mesh.Crease[point] |= mesh.Fixed[point]; });
+      }
+    }
+  }
+}
 }
 
 SurfaceMesh MakeSurfaceMesh(
@@ -160,6 +192,10 @@ SurfaceMesh MakeSurfaceMesh(
     }
   }
   FindStretch(geometry, mesh);
+  if (mesh.StretchAxis >= 0)
+  {
+    MarkFlatPatches(geometry, patches, mesh);
+  }
   return mesh;
 }
 }

@@ -16,32 +16,63 @@ constexpr double FewPlanes = 12.0;
 constexpr double ManyPlanes = 64.0;
 /// A slab is divided if its halves are not much narrower than wanted.
 constexpr double WideSlab = 1.4;
+/// An axis has few planes if another one has so many times more.
+constexpr Index FewAgainstMany = 3;
+/// A stack across which a surface can bend.
+constexpr Index EnoughPlanes = 8;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 
+/// Of the axes that have planes.
 double DensestSpacing(const SpatialGrid& grid)
 {
   double least = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (grid.Count(axis) > 1)
+    if (grid.Count(axis) > 0)
     {
       least = std::min(least, grid.MeanSpacing(axis));
     }
   }
   return least;
 }
+
+/// Whether families are missing, or have few slices, and the others carry a surface across.
+bool NeedsMore(const SpatialGrid& grid)
+{
+  const auto [least, most] = std::minmax({ grid.Count(0), grid.Count(1), grid.Count(2) });
+  Index fewest = most;
+  int families = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    fewest = grid.Count(axis) > 0 ? std::min(fewest, grid.Count(axis)) : fewest;
+    families += grid.Count(axis) > 0 ? 1 : 0;
+  }
+  const bool isStack = families == 1 || most >= FewAgainstMany * fewest;
+  return isStack ? families == 1 || most >= EnoughPlanes : least == 0;
+}
 }
 
 SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double spacing)
-  : Extent(contours.High - contours.Low)
+  : Wide{ Infinity, Infinity, Infinity }
 {
+  const Point3 extent = contours.High - contours.Low;
+  this->Longest =
+    static_cast<int>(std::max_element(extent.begin(), extent.end()) - extent.begin());
+  if (!(spacing > 0.0) && !NeedsMore(grid))
+  {
+    return;
+  }
   const double densest = DensestSpacing(grid);
+  const Index most = std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
   for (int axis = 0; axis < 3; ++axis)
   {
     this->Target[axis] = spacing > 0.0
       ? spacing
-      : std::clamp(densest, this->Extent[axis] / ManyPlanes, this->Extent[axis] / FewPlanes);
-    this->Wide[axis] = WideSlab *
-      (spacing > 0.0 ? spacing : std::max(this->Target[axis], this->Extent[axis] / FewPlanes));
+      : std::clamp(densest, extent[axis] / ManyPlanes, extent[axis] / FewPlanes);
+    if (spacing > 0.0 || grid.Count(axis) * FewAgainstMany <= most)
+    {
+      this->Wide[axis] = WideSlab * (spacing > 0.0 ? spacing : extent[axis] / FewPlanes);
+    }
     const auto& planes = grid.Planes[axis];
     this->Sparse |= planes.empty();
     for (std::size_t i = 0; i <= planes.size() && !planes.empty(); ++i)
@@ -55,11 +86,9 @@ SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double
 
 double SliceDensity::EdgeLength() const
 {
-  const int longest =
-    static_cast<int>(std::max_element(this->Extent.begin(), this->Extent.end()) - this->Extent.begin());
   // Finer meshes do not become more accurate, coarser ones do not bend as they should.
   constexpr double share = 0.7;
-  return share * this->Target[longest];
+  return share * this->Target[this->Longest];
 }
 
 int SliceDensity::CountParts(int axis, double width) const

@@ -17,11 +17,17 @@ using VirtualPlanes = std::array<std::vector<double>, 3>;
  * Where slices are too few for the cells between them to be small against the shape, and how far
  * apart planes have to be there. Extents are those of the box of all contours.
  *
- * - An axis without planes is sparse everywhere. One with planes is sparse in the slabs that are
- *   wider than 1.4 twelfths of its extent: a shape of some detail is seen by a dozen slices.
- * - There, planes are to be as far apart as those of the densest axis, but at most a twelfth and
- *   at least a 64th of the extent of their own axis, so that a fine stack does not multiply the
- *   triangles by itself. `spacing` > 0 takes the place of this rule, in world units.
+ * - Where a family is missing, its axis is sparse everywhere.
+ * - An axis with less than a third of the planes of the densest one, such as that of a long-axis
+ *   slice through a stack, is sparse in slabs that are wider than 1.4 twelfths of its extent: a shape
+ *   of some detail is seen by a dozen slices. Between axes with about as many planes cells are about
+ *   as long as wide, and patches from the contours around them are as good as any.
+ * - But a stack of less than eight slices with a few across is not enough for a surface to bend from
+ *   one to the next: there the slices across know better, and nothing is sparse.
+ *
+ * In sparse slabs, planes are to be as far apart as those of the densest axis, but at most a twelfth
+ * and at least a 64th of the extent of their own axis, so that a fine stack does not multiply the
+ * triangles by itself. `spacing` > 0 takes the place of all these rules, in world units.
  */
 class SliceDensity
 {
@@ -38,7 +44,9 @@ public:
   int CountParts(int axis, double width) const;
 
 private:
-  Point3 Extent, Target{}, Wide{};
+  Point3 Target{};
+  Point3 Wide; ///< slabs up to that width stay as they are
+  int Longest = 0;
   bool Sparse = false;
 };
 
