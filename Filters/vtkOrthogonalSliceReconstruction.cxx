@@ -96,8 +96,9 @@ constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
   return true;
 }
 static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
-    IsIndexed(CrossingContoursModes) && IsIndexed(VirtualSlicesModes) && IsIndexed(SeveralCyclesModes) &&
-    IsIndexed(Correspondences) && IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
+    IsIndexed(CrossingContoursModes) && IsIndexed(VirtualSlicesModes) &&
+    IsIndexed(SeveralCyclesModes) && IsIndexed(Correspondences) && IsIndexed(PatchTypes) &&
+    IsIndexed(CentralPoints),
   "The setters clamp properties to their first and last value");
 
 /// More contour vertices than that on one port do not fit into the core's numbers.
@@ -304,7 +305,6 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.InsertMissing = this->InsertMissingContours;
   options.Virtual = VirtualSlicesModes[this->VirtualSlices].Value;
   options.VirtualSpacing = this->VirtualSliceSpacing;
-  if (getenv("VS")) options.Virtual = orthoslices::VirtualSlices::Off;
   options.RefuseInvalid = InvalidContoursModes[this->InvalidContours].Value;
   options.Crossing = CrossingContoursModes[this->CrossingContours].Value;
   if (std::any_of(this->AxisWeights, this->AxisWeights + 3, [](double w) { return w > 0.0; }))

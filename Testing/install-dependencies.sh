@@ -38,13 +38,13 @@ install_dependencies()
 # What the core is built with and looked at by clang-tidy.
 install_tidy()
 {
-  install_packages g++ cmake ninja-build clang-tidy
+  install_packages g++ cmake ninja-build libeigen3-dev clang-tidy
 }
 
 # What the core is built and tested with, and gcovr.
 install_coverage()
 {
-  install_packages g++ cmake ninja-build python3 libgtest-dev libcgal-dev gcovr
+  install_packages g++ cmake ninja-build python3 libeigen3-dev libgtest-dev libcgal-dev gcovr
 }
 
 # Plain VTK in the folder $1. Debian refuses to install it beside ParaView's Python, so its packages

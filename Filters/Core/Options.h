@@ -35,7 +35,7 @@ struct Options
   bool RefuseInvalid = true; ///< no surface if a contour is open, off its plane or not finite
   CrossingContours Crossing = CrossingContours::Repair;
   bool SinglePrecision = false; ///< the result will be stored as float
-  bool InsertMissing = true; ///< contours that slices lack; see FindMissingContours
+  bool InsertMissing = true;    ///< contours that slices lack; see FindMissingContours
   AxisWeights Weights{ 1.0, 1.0, 1.0 };
   CentralPointMethod Central = CentralPointMethod::LeastSquares;
   SeveralCycles Several = SeveralCycles::ByEvidence;

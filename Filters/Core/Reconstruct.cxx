@@ -3,8 +3,8 @@
 #include "Core/Reconstruct.h"
 
 #include "Core/Base/Box.h"
-#include "Core/CheckInvariants.h"
 #include "Core/Cells/DoubtfulJoins.h"
+#include "Core/CheckInvariants.h"
 #include "Core/Crossings/NodeNormals.h"
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/SimplifyArcs.h"
@@ -186,7 +186,7 @@ private:
   const StageObserver& Observe;
   StageTables Tables;
   std::vector<Repair> Inserted; ///< contours that slices lack
-  Contours Drawn; ///< a copy of the contours, where they are too few
+  Contours Drawn;               ///< a copy of the contours, where they are too few
   Reconstruction Result;
 };
 
@@ -207,8 +207,8 @@ StageRunner::StageRunner(const StageRunner& first, Contours&& contours)
   result.PolygonSizes = first.Result.PolygonSizes;
   result.Undecided = first.Result.Undecided;
   result.Doubtful = first.Result.Doubtful;
-  result.Grid = BuildSpatialGrid(
-    this->Tables.Contours, this->Tables.Tolerance, this->Settings.SinglePrecision);
+  result.Grid =
+    BuildSpatialGrid(this->Tables.Contours, this->Tables.Tolerance, this->Settings.SinglePrecision);
 }
 
 void StageRunner::Finish(Stage stage) const
@@ -424,7 +424,6 @@ bool StageRunner::AddVirtualSlices()
   {
     this->Result = std::move(again.Result);
   }
-  else if (getenv("FB")) fprintf(stderr, "FALLBACK\n");
   return true;
 }
 

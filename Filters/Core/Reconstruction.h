@@ -55,7 +55,7 @@ struct Reconstruction
   SurfaceTopology Topology;
   std::vector<Index> PolygonSizes; ///< see CountPolygonSizes; of the real slices alone
   UndecidedPlaces Undecided;       ///< those of the real slices alone
-  UndecidedPlaces Doubtful;        ///< of these, the ones to tell the user of; see FindDoubtfulJoins
+  UndecidedPlaces Doubtful;  ///< of these, the ones to tell the user of; see FindDoubtfulJoins
   Index SmallComponents = 0; ///< left out
   SurfaceNormals Normals;    ///< of G; not for PatchMethod::Fan and Coons
   Patches Surface;

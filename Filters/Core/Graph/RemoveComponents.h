@@ -26,9 +26,8 @@ std::vector<std::uint8_t> FindSmallComponents(
 
 /// Marks the components that are drawn on virtual planes alone (see SpatialGrid): nothing in the
 /// input speaks for them.
-std::vector<std::uint8_t> FindVirtualComponents(
-  const SpatialGrid& grid, const GridCrossings& crossings, const NodePoints& nodes,
-  const NodeGraph& graph);
+std::vector<std::uint8_t> FindVirtualComponents(const SpatialGrid& grid,
+  const GridCrossings& crossings, const NodePoints& nodes, const NodeGraph& graph);
 
 /**
  * Takes marked components out of G. Their isolated contours are marked as left out; the other nodes

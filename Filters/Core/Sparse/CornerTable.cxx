@@ -158,9 +158,9 @@ void CornerTable::Flip(Index corner)
   const Index d = this->Vertex[across];
   const Index a = this->StartOf(corner);
   const Index b = this->EndOf(corner);
-  const Index overB = Next(corner);      // at a, edge b c
-  const Index overA = Previous(corner);  // at b, edge c a
-  const Index acrossA = Next(across);    // at b, edge a d
+  const Index overB = Next(corner);       // at a, edge b c
+  const Index overA = Previous(corner);   // at b, edge c a
+  const Index acrossA = Next(across);     // at b, edge a d
   const Index acrossB = Previous(across); // at a, edge d b
   struct Side
   {
@@ -230,7 +230,8 @@ std::vector<std::array<Index, 3>> CornerTable::ListTriangles() const
   {
     if (this->IsAlive(corner))
     {
-      triangles.push_back({ this->Vertex[corner], this->Vertex[corner + 1], this->Vertex[corner + 2] });
+      triangles.push_back(
+        { this->Vertex[corner], this->Vertex[corner + 1], this->Vertex[corner + 2] });
     }
   }
   return triangles;

@@ -17,7 +17,7 @@ using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 struct Operator
 {
-  Matrix Laplacian;        ///< square; rows of unused points are empty
+  Matrix Laplacian;         ///< square; rows of unused points are empty
   std::vector<double> Area; ///< of each point
 };
 
@@ -92,8 +92,7 @@ bool Solve(const Operator& bending, const std::vector<std::uint8_t>& crease,
       {
         continue; // an edge of the surface bends as it likes
       }
-      const double value =
-        entry.value() / std::sqrt(std::max(bending.Area[row], leastArea));
+      const double value = entry.value() / std::sqrt(std::max(bending.Area[row], leastArea));
       if (place[column] >= 0)
       {
         entries.emplace_back(row, place[column], value);
@@ -171,8 +170,7 @@ void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
       const Box3& cell = mesh.Cells[mesh.CellOf(static_cast<Index>(i))];
       for (int axis = 0; axis < 3; ++axis)
       {
-        const double inside =
-          std::clamp(mesh.Points[i][axis], cell.Low[axis], cell.High[axis]);
+        const double inside = std::clamp(mesh.Points[i][axis], cell.Low[axis], cell.High[axis]);
         if (inside != mesh.Points[i][axis])
         {
           mesh.Points[i][axis] = inside;

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace orthoslices
 {
 namespace
@@ -134,8 +133,8 @@ void SplitLongEdges(double length, SurfaceMesh& mesh)
       continue;
     }
     const Index across = mesh.Corners.OppositeOf(corner);
-    const Point3 middle = Between(mesh.Points[mesh.Corners.StartOf(corner)],
-      mesh.Points[mesh.Corners.EndOf(corner)], 0.5);
+    const Point3 middle = Between(
+      mesh.Points[mesh.Corners.StartOf(corner)], mesh.Points[mesh.Corners.EndOf(corner)], 0.5);
     mesh.Points.push_back(middle);
     mesh.Stretch.push_back(0.5 *
       (mesh.Stretch[mesh.Corners.StartOf(corner)] + mesh.Stretch[mesh.Corners.EndOf(corner)]));

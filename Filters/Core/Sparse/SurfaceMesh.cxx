@@ -49,10 +49,9 @@ Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const std::array<I
     const double beyond = 0.5 * grid.MeanSpacing(axis);
     const Index slab = cell[axis];
     const double margin = grid.Margin(axis, slab);
-    box.Low[axis] =
-      slab > 0 ? grid.Planes[axis][slab - 1] + margin : contours.Low[axis] - beyond;
-    box.High[axis] = slab < grid.Count(axis) ? grid.Planes[axis][slab] - margin
-                                             : contours.High[axis] + beyond;
+    box.Low[axis] = slab > 0 ? grid.Planes[axis][slab - 1] + margin : contours.Low[axis] - beyond;
+    box.High[axis] =
+      slab < grid.Count(axis) ? grid.Planes[axis][slab] - margin : contours.High[axis] + beyond;
   }
   return box;
 }
@@ -109,8 +108,7 @@ void FindStretch(const CycleGeometry& geometry, SurfaceMesh& mesh)
   for (Index loop = 0; loop < static_cast<Index>(graph.Loops.size()); ++loop)
   {
     const double needed = SpacingsOfRadius * geometry.Grid.MeanSpacing(mesh.StretchAxis);
-    const double stretch =
-      std::clamp(needed / ThicknessOfLoop(graph, loop), 1.0, MaxStretch);
+    const double stretch = std::clamp(needed / ThicknessOfLoop(graph, loop), 1.0, MaxStretch);
     const Index first = graph.FirstPoint(graph.Arcs + loop);
     std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), stretch);
   }
@@ -119,8 +117,10 @@ void FindStretch(const CycleGeometry& geometry, SurfaceMesh& mesh)
     double greatest = 1.0;
     if (mesh.Corners.IsUsed(point))
     {
-      mesh.Corners.ForCornersAt(point, [&](Index at)
-        { greatest = std::max(greatest, mesh.Stretch[mesh.Corners.VertexOf(CornerTable::Next(at))]); });
+      mesh.Corners.ForCornersAt(point,
+        [&](Index at) {
+          greatest = std::max(greatest, mesh.Stretch[mesh.Corners.VertexOf(CornerTable::Next(at))]);
+        });
     }
     mesh.Stretch[point] = greatest;
   }

@@ -30,8 +30,8 @@ struct SurfaceMesh
   std::vector<Index> Cell;          ///< of each triangle: its place in Cells
   std::vector<Box3> Cells;          ///< where points may go, the margin of the grid taken off
 
-  int StretchAxis = -1;             ///< of the only family of slices; -1: nothing is stretched
-  std::vector<double> Stretch;      ///< of each point, at least 1
+  int StretchAxis = -1;        ///< of the only family of slices; -1: nothing is stretched
+  std::vector<double> Stretch; ///< of each point, at least 1
 
   /// From one point to another, stretched.
   Point3 Edge(Index from, Index to) const

@@ -56,8 +56,7 @@ SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double
   : Wide{ Infinity, Infinity, Infinity }
 {
   const Point3 extent = contours.High - contours.Low;
-  this->Longest =
-    static_cast<int>(std::max_element(extent.begin(), extent.end()) - extent.begin());
+  this->Longest = static_cast<int>(std::max_element(extent.begin(), extent.end()) - extent.begin());
   if (!(spacing > 0.0) && !NeedsMore(grid))
   {
     return;

@@ -8,7 +8,6 @@
 #include "Core/Sparse/SubdivideSurface.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 namespace orthoslices
@@ -25,14 +24,10 @@ SurfaceMesh MakeFairSurface(const CycleGeometry& geometry, const Patches& patche
   RefineEdges(edgeLength, mesh);
   CollapseShortEdges(edgeLength, mesh);
   FairSurface(EdgeWeights::Uniform, mesh);
-  static const int rounds = getenv("IT") ? atoi(getenv("IT")) : 1;
-  for (int i = 0; i < rounds; ++i)
-  {
   SplitLongEdges(edgeLength, mesh);
   CollapseShortEdges(edgeLength, mesh);
   FlipEdges(mesh);
   FairSurface(EdgeWeights::Cotangents, mesh);
-  }
   return mesh;
 }
 
