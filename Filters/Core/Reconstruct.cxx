@@ -175,7 +175,8 @@ private:
   bool MakeSlicesAgree();
   bool BuildGraph();
   bool PatchCells();
-  bool FillCycles();
+  bool FillCycles(const PatchOptions& patching);
+  bool Sketch();
 
   void Finish(Stage stage) const;
   bool GoOn(double progress);
@@ -368,9 +369,8 @@ bool StageRunner::PatchCells()
 }
 
 /// Normals along the contours, and the inside of the patches (section 5).
-bool StageRunner::FillCycles()
+bool StageRunner::FillCycles(const PatchOptions& patching)
 {
-  const PatchOptions& patching = this->Settings.Patching;
   Reconstruction& result = this->Result;
   const CycleGeometry geometry = GeometryOf(result);
   if (NeedsNormals(patching.Method))
@@ -392,9 +392,18 @@ bool StageRunner::FillCycles()
   return this->GoOn(0.8);
 }
 
+/// A surface that shows the topology and is going to be bent: fans will do.
+bool StageRunner::Sketch()
+{
+  PatchOptions patching = this->Settings.Patching;
+  patching.Method = PatchMethod::Fan;
+  return this->FillCycles(patching);
+}
+
 bool StageRunner::MakeSurface()
 {
-  return this->MakeSlicesAgree() && this->BuildGraph() && this->PatchCells() && this->FillCycles();
+  return this->MakeSlicesAgree() && this->BuildGraph() && this->PatchCells() &&
+    (this->Drawn.Count() > 0 ? this->Sketch() : this->FillCycles(this->Settings.Patching));
 }
 
 /// Where slices are few, the surface bends from one to the next as little as it can, and is cut on

@@ -157,6 +157,18 @@ void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches, Surf
     }
   }
 }
+
+/// Contours run between patches of different cells.
+void MarkContours(SurfaceMesh& mesh)
+{
+  for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
+  {
+    if (mesh.Cell[corner / 3] != mesh.Cell[mesh.Corners.OppositeOf(corner) / 3])
+    {
+      mesh.Corners.MarkCurve(corner);
+    }
+  }
+}
 }
 
 SurfaceMesh MakeSurfaceMesh(
@@ -174,23 +186,14 @@ SurfaceMesh MakeSurfaceMesh(
   {
     contours.Add(mesh.Points[point]);
   }
-  std::vector<Index> border, places;
   mesh.Cell.resize(static_cast<std::size_t>(patches.TriangleCount()));
   for (Index cycle = 0; cycle < geometry.Cycles.Count(); ++cycle)
   {
     mesh.Cells.push_back(BoundCell(geometry.Grid, contours, geometry.Cycles.Cell[cycle]));
     std::fill(mesh.Cell.begin() + patches.Offsets[cycle],
       mesh.Cell.begin() + patches.Offsets[cycle + 1], cycle);
-    geometry.GetBoundary(cycle, border, places);
-    for (std::size_t i = 0; i < border.size(); ++i)
-    {
-      const Index edge = mesh.Corners.FindEdge(border[i], border[(i + 1) % border.size()]);
-      if (edge >= 0)
-      {
-        mesh.Corners.MarkCurve(edge);
-      }
-    }
   }
+  MarkContours(mesh);
   FindStretch(geometry, mesh);
   if (mesh.StretchAxis >= 0)
   {

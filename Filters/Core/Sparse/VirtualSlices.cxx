@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Sparse/VirtualSlices.h"
 
+#include "Core/Graph/SimplifyArcs.h"
 #include "Core/Slicing/SliceSurface.h"
 #include "Core/Sparse/FairSurface.h"
 #include "Core/Sparse/RemeshSurface.h"
@@ -29,6 +30,39 @@ SurfaceMesh MakeFairSurface(const CycleGeometry& geometry, const Patches& patche
   FlipEdges(mesh);
   FairSurface(EdgeWeights::Cotangents, mesh);
   return mesh;
+}
+
+/// Vertices closer than that to the line through the others show no shape, as a share of the least
+/// distance of planes: the surface itself is not known to more than ten times that.
+constexpr double ThinTolerance = 0.003;
+
+/// Leaves out vertices of closed contours.
+void ThinContours(double tolerance, PlaneContours& contours)
+{
+  PlaneContours thin;
+  std::vector<Point3> points;
+  std::vector<std::uint8_t> kept;
+  for (Index i = 0; i < contours.Count(); ++i)
+  {
+    points.clear();
+    for (Index v = contours.Offsets[i]; v < contours.Offsets[i + 1]; ++v)
+    {
+      points.push_back({ contours.U[v], contours.V[v], 0.0 });
+    }
+    points.push_back(points.front());
+    MarkKept(points, tolerance, kept);
+    kept.front() = 1;
+    const bool isSmall = std::count(kept.begin(), kept.end(), 1) < 3;
+    for (std::size_t v = 0; v + 1 < points.size(); ++v)
+    {
+      if (kept[v] || isSmall)
+      {
+        thin.AddVertex(points[v][0], points[v][1]);
+      }
+    }
+    thin.CloseContour();
+  }
+  contours = std::move(thin);
 }
 
 void Append(const PlaneContours& drawn, int axis, double coordinate, Contours& contours)
@@ -77,10 +111,20 @@ Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches
   }
   const Precision precision = grid.SinglePrecision ? Precision::Single : Precision::Double;
   const VirtualPlanes planes = ChooseVirtualPlanes(grid, box, density);
+  const double tolerance =
+    ThinTolerance * std::min({ density.Spacing(0), density.Spacing(1), density.Spacing(2) });
   for (int axis = 0; axis < 3; ++axis)
   {
-    const std::vector<PlaneContours> slices =
+    std::vector<PlaneContours> slices =
       SliceSurface(surface, axis, planes[axis], precision, execution);
+    execution.For(slices.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          ThinContours(tolerance, slices[i]);
+        }
+      });
     for (std::size_t i = 0; i < slices.size(); ++i)
     {
       Append(slices[i], axis, planes[axis][i], contours);
