@@ -24,7 +24,8 @@ CornerTable::CornerTable(Index points, const std::vector<std::array<Index, 3>>& 
 void CornerTable::LinkTriangles()
 {
   // A counting sort by the end with the smaller number, then each of the short lists by the other.
-  const auto low = [&](Index corner) { return std::min(this->StartOf(corner), this->EndOf(corner)); };
+  const auto low = [&](Index corner)
+  { return std::min(this->StartOf(corner), this->EndOf(corner)); };
   const auto high = [&](Index corner)
   { return std::max(this->StartOf(corner), this->EndOf(corner)); };
   std::vector<Index> offsets(this->Corner.size() + 2, 0);
@@ -75,6 +76,21 @@ Index CornerTable::Valence(Index vertex) const
   Index count = 0;
   this->ForCornersAt(vertex, [&](Index) { ++count; });
   return count;
+}
+
+Index CornerTable::FindEdge(Index from, Index to) const
+{
+  Index found = -1;
+  // The triangle of each corner at `from` has the edge from there to the next vertex.
+  this->ForCornersAt(from,
+    [&](Index corner)
+    {
+      if (this->Vertex[Next(corner)] == to)
+      {
+        found = Previous(corner);
+      }
+    });
+  return found;
 }
 
 bool CornerTable::AreAdjacent(Index a, Index b) const

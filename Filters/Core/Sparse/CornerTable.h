@@ -56,6 +56,8 @@ public:
     } while (corner != first);
   }
   Index Valence(Index vertex) const;
+  /// The corner whose edge joins two vertices, or -1. Time grows with the valence of `from`.
+  Index FindEdge(Index from, Index to) const;
   /// Whether an edge joins two vertices. Time grows with the smaller of their valences.
   bool AreAdjacent(Index a, Index b) const;
 

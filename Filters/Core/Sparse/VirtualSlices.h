@@ -18,8 +18,9 @@ namespace orthoslices
  *   FairSurface        bent as little as the contours and cells allow
  *   SliceSurface       cut on the planes of ChooseVirtualPlanes
  *
- * The contours are closed and have the interior on their left; Contours::Virtual is set for all of
- * them. They may cross each other where the smooth surface crosses itself.
+ * The contours are closed, without vertices that show no shape, and have the interior on their
+ * left; Contours::Virtual is set for all of them. They may cross each other where the smooth surface
+ * crosses itself. `execution` is asked between the steps whether to go on; if not, there are none.
  */
 Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches,
   const SliceDensity& density, const Execution& execution);
