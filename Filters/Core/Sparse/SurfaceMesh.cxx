@@ -93,23 +93,21 @@ double ThicknessOfLoop(const NodeGraph& graph, Index loop)
 /// The radius of a tube that slices one spacing apart show well: least bending then narrows it by
 /// half a percent in the middle between two slices.
 constexpr double SpacingsOfRadius = 0.85;
+/// The same where the surface has an edge around a flat end, and bends there as it likes: like a soap
+/// film it would narrow a tube between two such ends by one part in 2 (2 radii / spacings) ^ 2.
+constexpr double SpacingsOfRadiusAtEdge = 3.0;
 /// Thinner things are not worth the triangles.
 constexpr double MaxStretch = 16.0;
 
 void FindStretch(const CycleGeometry& geometry, SurfaceMesh& mesh)
 {
-  mesh.Stretch.assign(mesh.Points.size(), 1.0);
-  mesh.StretchAxis = FindOnlyFamily(geometry.Grid);
-  if (mesh.StretchAxis < 0)
-  {
-    return;
-  }
   const NodeGraph& graph = geometry.Graph;
   for (Index loop = 0; loop < static_cast<Index>(graph.Loops.size()); ++loop)
   {
-    const double needed = SpacingsOfRadius * geometry.Grid.MeanSpacing(mesh.StretchAxis);
-    const double stretch = std::clamp(needed / ThicknessOfLoop(graph, loop), 1.0, MaxStretch);
     const Index first = graph.FirstPoint(graph.Arcs + loop);
+    const double spacings = mesh.Crease[first] != 0 ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
+    const double needed = spacings * geometry.Grid.MeanSpacing(mesh.StretchAxis);
+    const double stretch = std::clamp(needed / ThicknessOfLoop(graph, loop), 1.0, MaxStretch);
     std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), stretch);
   }
   for (Index point = graph.Count(); point < mesh.Corners.PointCount(); ++point)
@@ -194,10 +192,12 @@ SurfaceMesh MakeSurfaceMesh(
       mesh.Cell.begin() + patches.Offsets[cycle + 1], cycle);
   }
   MarkContours(mesh);
-  FindStretch(geometry, mesh);
+  mesh.Stretch.assign(mesh.Points.size(), 1.0);
+  mesh.StretchAxis = FindOnlyFamily(geometry.Grid);
   if (mesh.StretchAxis >= 0)
   {
     MarkFlatPatches(geometry, patches, mesh);
+    FindStretch(geometry, mesh);
   }
   return mesh;
 }
