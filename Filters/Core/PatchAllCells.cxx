@@ -290,7 +290,7 @@ void CellPatcher::PatchCells()
   this->SeparatePatches();
 }
 
-/// The patches that were built last, unless they have been taken, and the components of the surface.
+/// The patches that were built last, and the components of the surface, unless they are taken.
 void CellPatcher::TakePatches()
 {
   if (!this->Separator)

@@ -394,11 +394,13 @@ bool StageRunner::FillCycles(const PatchOptions& patching)
   return this->GoOn(0.8);
 }
 
-/// A surface that shows the topology and is going to be bent: fans will do.
+/// A surface that shows the topology and is going to be bent: with no more triangles than that needs.
 bool StageRunner::Sketch()
 {
   PatchOptions patching = this->Settings.Patching;
-  patching.Method = PatchMethod::Fan;
+  const SpatialGrid& grid = this->Result.Grid;
+  const double edgeLength = DensityOf(this->Drawn, grid, this->Settings).EdgeLength();
+  patching.EdgeLength = std::max(patching.EdgeLength, edgeLength / MinMeanSpacing(grid));
   this->Centers = this->Result.Surface.CentralPoints;
   return this->FillCycles(patching);
 }

@@ -16,6 +16,8 @@ constexpr double Long = 4.0 / 3.0;
 constexpr double Short = 4.0 / 5.0;
 /// How far contours may move off their vertices, as a share of the edges that collapse.
 constexpr double ContourShare = 0.1;
+/// Classes of short edges, but for those that fine contours need.
+constexpr int UsualClasses = 5;
 
 double EdgeLength(const SurfaceMesh& mesh, Index corner)
 {
@@ -64,17 +66,17 @@ bool StaysOnContour(const SurfaceMesh& mesh, Index corner, double tolerance, dou
 }
 
 /// Moves the start of the corner's edge into its end, if that may be.
-bool TryCollapse(Index corner, double shortest, double maximum, SurfaceMesh& mesh)
+bool TryCollapse(
+  Index corner, double shortest, double longestOnContour, double maximum, SurfaceMesh& mesh)
 {
   // Contours keep their course; the classes of short edges add up to twice that.
   const double tolerance = ContourShare * shortest / mesh.Stretch[mesh.Corners.StartOf(corner)];
-  const double longest = Long / Short * shortest;
   const Index start = mesh.Corners.StartOf(corner);
   const Index end = mesh.Corners.EndOf(corner);
   const Point3 target =
     mesh.Fixed[end] ? mesh.Points[end] : Between(mesh.Points[start], mesh.Points[end], 0.5);
   if ((mesh.Fixed[start] && !mesh.Corners.IsCurve(corner)) || !mesh.Corners.CanCollapse(corner) ||
-    (mesh.Fixed[start] && !StaysOnContour(mesh, corner, tolerance, longest)) ||
+    (mesh.Fixed[start] && !StaysOnContour(mesh, corner, tolerance, longestOnContour)) ||
     !StaysShort(mesh, corner, target, maximum))
   {
     return false;
@@ -107,7 +109,6 @@ bool IsDelaunay(const SurfaceMesh& mesh, Index corner)
 /// vertex gathers the triangles of many others: as many as the edges of contours need.
 int CountClasses(double length, const std::vector<Index>& corners, const SurfaceMesh& mesh)
 {
-  constexpr int least = 5;
   constexpr int most = 16;
   double sum = 0.0; // of logarithms, which a few long edges do not rule
   double count = 0.0;
@@ -119,7 +120,7 @@ int CountClasses(double length, const std::vector<Index>& corners, const Surface
       count += 1.0;
     }
   }
-  return std::clamp(static_cast<int>(std::ceil(-sum / std::max(count, 1.0))), least, most);
+  return std::clamp(static_cast<int>(std::ceil(-sum / std::max(count, 1.0))), UsualClasses, most);
 }
 }
 
@@ -139,6 +140,8 @@ void CollapseShortEdges(double length, SurfaceMesh& mesh)
   for (int i = CountClasses(length, corners, mesh) - 1; i >= 0; --i)
   {
     const double shortest = Short * length * std::pow(0.5, i);
+    // Where contours are much finer than the mesh, one vertex must not run along all of them.
+    const double longest = i < UsualClasses ? HUGE_VAL : Long / Short * shortest;
     bool changed = true;
     for (int pass = 0; pass < passes && changed; ++pass)
     {
@@ -147,7 +150,7 @@ void CollapseShortEdges(double length, SurfaceMesh& mesh)
       {
         if (mesh.Corners.IsAlive(corner) && EdgeLength(mesh, corner) < shortest)
         {
-          changed |= TryCollapse(corner, shortest, Long * length, mesh);
+          changed |= TryCollapse(corner, shortest, longest, Long * length, mesh);
         }
       }
       leaveOutDead();
