@@ -42,6 +42,7 @@ void Append(const PlaneContours& drawn, int axis, double coordinate, Contours& c
     contours.Axis.push_back(static_cast<std::int8_t>(axis));
     contours.Coordinate.push_back(coordinate);
     contours.Cell.push_back(-1);
+    contours.Virtual.push_back(1);
   }
 }
 }
