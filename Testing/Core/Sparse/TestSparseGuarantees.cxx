@@ -138,6 +138,25 @@ TEST(SparseGuarantees, SurfacesAreClosedEmbeddedOrientedAndBounded)
 }
 
 //----------------------------------------------------------------------------
+/// What is asked to be left out is left out of the surface with virtual slices, too.
+TEST(SparseGuarantees, SmallComponentsAreLeftOut)
+{
+  Solid solid = TwoBalls(2, 0.3);
+  solid.Tubes.back().Radius *= 0.5;
+  for (const auto& count : { std::array<int, 3>{ 0, 0, 20 }, { 20, 0, 16 } })
+  {
+    Input input = MakeInput(solid, count, InPlaneGrid::Free);
+    EXPECT_EQ(RunSparse(input).Topology.Components, 2);
+    input.Settings.MinComponent = 0.4;
+    const Reconstruction one = RunSparse(input);
+    EXPECT_TRUE(one.Grid.HasVirtual());
+    EXPECT_EQ(one.Topology.Components, 1);
+    EXPECT_EQ(one.SmallComponents, 1);
+    EXPECT_EQ(DescribeFlaws(MeshOf(one)), "");
+  }
+}
+
+//----------------------------------------------------------------------------
 /// G4: every vertex of a stack, and every vertex of families that agree, to the last bit.
 TEST(SparseGuarantees, ContoursOfRealSlicesAreKept)
 {
