@@ -112,6 +112,20 @@ TEST(VirtualPlanes, ComparableFamiliesNeedNone)
 }
 
 //----------------------------------------------------------------------------
+/// Through a flat or a long object pass few slices of some families, as close as all others.
+TEST(VirtualPlanes, FlatAndLongObjectsNeedNoneIfAllSlicesAreAsClose)
+{
+  for (const auto& count :
+    { std::array<int, 3>{ 2, 32, 32 }, { 1, 32, 32 }, { 3, 3, 40 }, { 4, 16, 64 } })
+  {
+    const Point3 size{ count[0] * 0.1, count[1] * 0.1, count[2] * 0.1 };
+    EXPECT_FALSE(SlicedBox(size, count).IsSparse()) << count[0] << " " << count[1];
+  }
+  // As flat, but with slices across that are farther apart than the others.
+  EXPECT_TRUE(SlicedBox({ 0.4, 3.2, 3.2 }, { 1, 32, 32 }).IsSparse());
+}
+
+//----------------------------------------------------------------------------
 TEST(VirtualPlanes, MissingAxesGetPlanesAsDenseAsTheOthers)
 {
   // As far apart as those of the densest axis.
