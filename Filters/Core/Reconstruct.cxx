@@ -10,6 +10,7 @@
 #include "Core/Graph/SimplifyArcs.h"
 #include "Core/PatchAllCells.h"
 #include "Core/Patches/Domes.h"
+#include "Core/RealSlices.h"
 #include "Core/Slabs/StitchSlabs.h"
 #include "Core/Slices/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
@@ -413,6 +414,8 @@ bool StageRunner::AddVirtualSlices()
   {
     return true;
   }
+  const std::vector<Index> leftOut = FindLeftOut(first.Isolated, this->Tables.IsolatedParts);
+  RemoveContours(leftOut, this->Tables.IsolatedParts, this->Drawn);
   AddVirtual(added, this->Drawn);
   StageRunner again(*this, std::move(this->Drawn));
   if (!again.MakeSurface())
@@ -422,6 +425,7 @@ bool StageRunner::AddVirtualSlices()
   }
   if (again.Result.Topology == first.Topology)
   {
+    TakeReport(first, leftOut, again.Result);
     this->Result = std::move(again.Result);
   }
   return true;

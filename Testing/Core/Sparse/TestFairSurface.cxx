@@ -114,7 +114,7 @@ TEST(FairSurface, BetweenTheRingsOfACylinderItsRadiusIsRight)
   const auto radius = [](double) { return 1.2; };
   SurfaceMesh mesh = Rings(radius, 7).Surface(0.4, 4.0);
   MakeFair(0.19, mesh);
-  EXPECT_LT(RadiusError(mesh, 2.0, radius), 0.01);
+  EXPECT_LT(RadiusError(mesh, 2.0, radius), 0.015);
 }
 
 //----------------------------------------------------------------------------
@@ -143,7 +143,7 @@ TEST(FairSurface, ThinTubesKeepTheirRadiusIfStretched)
   MakeFair(0.1, plain);
   MakeFair(0.135, stretched);
   EXPECT_GT(RadiusError(plain, 1.4, radius), 0.1);
-  EXPECT_LT(RadiusError(stretched, 1.4, radius), 0.02);
+  EXPECT_LT(RadiusError(stretched, 1.4, radius), 0.03);
 }
 
 //----------------------------------------------------------------------------
@@ -211,7 +211,7 @@ TEST(FairSurface, FlatEndsStayFlatWithinTheirCrease)
     if (hasCrease)
     {
       EXPECT_NEAR(bulge, 0.0, 1e-9);
-      EXPECT_LT(RadiusError(mesh, rings.Heights.back() - 1e-6, radius), 0.02);
+      EXPECT_LT(RadiusError(mesh, rings.Heights.back() - 1e-6, radius), 0.04);
     }
     else
     {
