@@ -60,6 +60,16 @@ struct TorusRun : FilterRun
   vtkPolyData* Surface;
 };
 
+/// Without what comes before them: the address of the filter.
+std::vector<std::string> MessagesOf(std::vector<std::string> texts)
+{
+  for (std::string& text : texts)
+  {
+    text.erase(0, text.find("): "));
+  }
+  return texts;
+}
+
 /// How many rows of the table of slices are virtual; -1 if it does not say.
 int CountVirtual(TorusRun& run)
 {
@@ -175,7 +185,7 @@ TEST(VirtualSliceProperties, ReportIsThatOfTheInput)
     TorusRun on(count);
     TorusRun off(count, [](Filter* f) { f->SetVirtualSlicesToOff(); });
     EXPECT_EQ(on.Errors, off.Errors);
-    EXPECT_EQ(on.Warnings, off.Warnings);
+    EXPECT_EQ(MessagesOf(on.Warnings), MessagesOf(off.Warnings));
     EXPECT_EQ(FieldValue(on.Surface, "TotalGenus"), FieldValue(off.Surface, "TotalGenus"));
     EXPECT_EQ(CheckSurface(MeshOf(on.Surface)).TotalGenus(), 1);
     EXPECT_TRUE(CheckSurface(MeshOf(on.Surface)).IsClosedManifold());
