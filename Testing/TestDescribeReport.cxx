@@ -4,6 +4,7 @@
 
 #include "Bridge/WriteGraph.h"
 #include "Bridge/WriteTables.h"
+#include "Core/Cells/DoubtfulJoins.h"
 #include "Core/Reconstruct.h"
 #include "Support/TextContours.h"
 
@@ -185,9 +186,17 @@ TEST_F(Report, NamesADoubtAndTheSliceThatSettlesIt)
   {
     join.Evidence = 5.0;
   }
+  const CycleGeometry geometry = GeometryOf(this->Result);
+  const auto findDoubts = [&]
+  {
+    this->Result.Doubtful =
+      FindUndecidedPlaces(geometry, FindDoubtfulJoins(geometry, this->Result.Joins), 1);
+  };
+  findDoubts();
   EXPECT_EQ(this->Text(), "");
   this->Result.Joins.front().Evidence = 0.1;
   this->Result.Joins.front().Chosen = true;
+  findDoubts();
   const std::string text = this->Text();
   EXPECT_TRUE(Contains(text, "At 1 places the slices hardly say")) << text;
   EXPECT_TRUE(Contains(text, "would settle 1 of them")) << text;

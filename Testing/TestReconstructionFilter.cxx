@@ -266,7 +266,8 @@ TEST(ReconstructionFilter, OneFamilyOrTwoWillDo)
     EXPECT_TRUE(check.IsClosedManifold()) << check;
     EXPECT_EQ(check.Components, 1);
     EXPECT_EQ(check.TotalGenus(), 0);
-    EXPECT_GT(check.TotalVolume(), 4.0);
+    // 2 x 2 x 1 between the slices of one family; smooth patches round the edges off a little.
+    EXPECT_GT(check.TotalVolume(), 3.95);
     EXPECT_EQ(FieldValue(surface, "TotalGenus"), 0);
   }
 }

@@ -176,8 +176,8 @@ void DescribeContradictions(
     text << "\nThe slices contradict each other at " << result.Reconciled.Vertices
          << " grid vertices and on " << result.Reconciled.Edges
          << " grid edges, where they were reconciled, and by more than " << tolerance << " at "
-         << disagreements << " of " << result.Graph.Nodes << " node points."
-         << DescribeWorstSlice(result) << DescribeOverruledSlice(result);
+         << disagreements << " of " << CountRealNodes(result.Grid, result.Crossings, result.Nodes)
+         << " node points." << DescribeWorstSlice(result) << DescribeOverruledSlice(result);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "Core/Graph/SimplifyArcs.h"
 #include "Core/PatchAllCells.h"
 #include "Core/Patches/Domes.h"
+#include "Core/RealSlices.h"
 #include "Core/Slabs/StitchSlabs.h"
 #include "Core/Slices/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
@@ -53,18 +54,6 @@ double FindDiagonal(const std::array<Pieces, 3>& pieces)
   return std::isfinite(diagonal) ? diagonal : 0.0;
 }
 
-/// Node points of real slices alone.
-Index CountReal(const SpatialGrid& grid, const GridCrossings& crossings, const NodePoints& nodes)
-{
-  if (!grid.HasVirtual())
-  {
-    return nodes.Count();
-  }
-  const GridEdgeCode code(grid);
-  return static_cast<Index>(std::count_if(nodes.First.begin(), nodes.First.end(),
-    [&](Index crossing) { return AreReal(grid, code.Decode(crossings.Edge[crossing])); }));
-}
-
 /// Whether the real slices are cuts of one solid: contours meet to within a small part of a spacing.
 bool DoSlicesAgree(const SpatialGrid& grid, const GridCrossings& crossings, const NodePoints& nodes)
 {
@@ -76,7 +65,7 @@ bool DoSlicesAgree(const SpatialGrid& grid, const GridCrossings& crossings, cons
   }
   const double spacing =
     std::min({ grid.MeanSpacing(0), grid.MeanSpacing(1), grid.MeanSpacing(2) });
-  return sum <= maximum * maximum * spacing * spacing * CountReal(grid, crossings, nodes);
+  return sum <= maximum * maximum * spacing * spacing * CountRealNodes(grid, crossings, nodes);
 }
 
 /// One repair for each patch between real slices that became a shell.
@@ -189,7 +178,10 @@ private:
 StageRunner::StageRunner(const StageRunner& first, Contours&& contours)
   : StageRunner(first.Settings, first.Execute, first.Observe)
 {
-  this->Settings.Known = { first.Result.Topology.Components, first.Result.Topology.Genus };
+  // Components that were too small are drawn nevertheless, and must not be joined to others instead.
+  const Index small = first.Result.SmallComponents;
+  this->Settings.Known = { first.Result.Topology.Components + small,
+    small > 0 ? -1 : first.Result.Topology.Genus };
   this->Tables.Tolerance = first.Tables.Tolerance;
   this->Tables.Contours = std::move(contours);
   this->Inserted = first.Inserted;
@@ -437,6 +429,8 @@ bool StageRunner::AddVirtualSlices()
   {
     return !this->Result.Stopped && this->FillSketch();
   }
+  const std::vector<Index> leftOut = FindLeftOut(this->Result.Isolated, this->Tables.IsolatedParts);
+  RemoveContours(leftOut, this->Tables.IsolatedParts, this->Drawn);
   AddVirtual(added, this->Drawn);
   StageRunner again(*this, std::move(this->Drawn));
   again.SetShare(0.48, 0.88); // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole
@@ -449,6 +443,7 @@ bool StageRunner::AddVirtualSlices()
   {
     return this->FillSketch();
   }
+  TakeReport(this->Result, leftOut, again.Result);
   this->Result = std::move(again.Result);
   return true;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Reconstruction.h"
 
+#include <algorithm>
+
 namespace orthoslices
 {
 CycleGeometry GeometryOf(const Reconstruction& result)
@@ -19,6 +21,18 @@ Index CountLeftOut(const Reconstruction& result)
     count -= isVirtual && isolated.Loop[i] == IsolatedContours::None ? 1 : 0;
   }
   return count;
+}
+
+Index CountRealNodes(
+  const SpatialGrid& grid, const GridCrossings& crossings, const NodePoints& nodes)
+{
+  if (!grid.HasVirtual())
+  {
+    return nodes.Count();
+  }
+  const GridEdgeCode code(grid);
+  return static_cast<Index>(std::count_if(nodes.First.begin(), nodes.First.end(),
+    [&](Index crossing) { return AreReal(grid, code.Decode(crossings.Edge[crossing])); }));
 }
 
 Index CountDisagreements(const Reconstruction& result, double tolerance)

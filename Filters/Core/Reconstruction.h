@@ -69,10 +69,14 @@ struct Reconstruction
 
 CycleGeometry GeometryOf(const Reconstruction& result);
 
-/// Number of node points at which the two contours are farther apart than the tolerance.
 /// Contours of real slices without node points, or parts of them, that take no part in the surface.
 Index CountLeftOut(const Reconstruction& result);
 
+/// Number of node points at which two real slices meet.
+Index CountRealNodes(
+  const SpatialGrid& grid, const GridCrossings& crossings, const NodePoints& nodes);
+
+/// Number of node points at which the two contours are farther apart than the tolerance.
 Index CountDisagreements(const Reconstruction& result, double tolerance);
 }
 

@@ -6,7 +6,8 @@
  * The input is text that is read without ever failing, so that every change of it means something:
  *
  *   FD                   flags: D as drawn, F float, C centroid, L crossing contours left out,
- *                        T tiny (times 1e-9), B features of 1e-3 at 1e6
+ *                        T tiny (times 1e-9), B features of 1e-3 at 1e6, V virtual slices where
+ *                        they are needed, X, Y, Z without the slices of this axis
  *   z2: 0,0 4,0 4,4      contour on z = 2; small integers, so that coincidences are frequent
  *   x1o: 0,0 4m1,0e-2    open piece; m adds multiples of 2^-22, e of 2^-50
  *
@@ -38,6 +39,7 @@ namespace
 constexpr std::size_t MaxPieces = 24;
 constexpr std::size_t MaxVertices = 24;
 constexpr int Greatest = 12;
+constexpr const char* Flags = "DFCLTBVXYZ";
 
 struct Number
 {
@@ -133,7 +135,7 @@ FuzzInput Parse(const std::string& text)
     {
       input.Pieces.back().Open = true;
     }
-    if (std::strchr("DFCLTB", c) != nullptr && c != '\0' && !input.Has(c))
+    if (std::strchr(Flags, c) != nullptr && c != '\0' && !input.Has(c))
     {
       input.Flags += c;
     }
@@ -187,7 +189,7 @@ PieceSets MakeSets(const FuzzInput& input)
     {
       vertices.push_back({ Place(input, vertex[0]), Place(input, vertex[1]) });
     }
-    if (vertices.size() >= 2)
+    if (vertices.size() >= 2 && !input.Has(static_cast<char>('X' + piece.Axis)))
     {
       AddPiece(sets[piece.Axis], vertices, Place(input, piece.Plane));
       sets[piece.Axis].Closed.back() = piece.Open ? 0 : 1;
@@ -203,6 +205,7 @@ Options MakeOptions(const FuzzInput& input)
   options.SinglePrecision = input.Has('F');
   options.Orient = input.Has('D') ? Orientation::AsDrawn : Orientation::ByNesting;
   options.Crossing = input.Has('L') ? CrossingContours::LeaveOut : CrossingContours::Repair;
+  options.Virtual = input.Has('V') ? VirtualSlices::Automatic : VirtualSlices::Off;
   options.Central =
     input.Has('C') ? CentralPointMethod::Centroid : CentralPointMethod::LeastSquares;
   return options;
@@ -373,7 +376,7 @@ void Change(FuzzInput& input, Random& random)
   }
   else if (choice == 3)
   {
-    const char flag = "DFCLTB"[random.Below(6)];
+    const char flag = Flags[random.Below(std::strlen(Flags))];
     const std::size_t place = input.Flags.find(flag);
     place == std::string::npos ? input.Flags.push_back(flag)
                                : static_cast<void>(input.Flags.erase(place, 1));

@@ -4,8 +4,9 @@
  * RandomSolids COUNT [FIRST [SECONDS]]
  *
  * Reconstructs unions of random balls, capsules and tori, from contours that agree, from contours
- * made contradictory and from contours on few planes of one, two or three axes, in both precisions, and checks every surface exactly: closed, 2-manifold,
- * oriented, embedded. Input number n is the same in every run. Stops after SECONDS if they are given.
+ * made contradictory and from contours on few planes of one, two or three axes, with and without
+ * virtual slices between these, in both precisions, and checks every surface exactly: closed,
+ * 2-manifold, oriented, embedded. Input number n is the same in every run. Stops after SECONDS if they are given.
  * A failure is reduced and printed as text; the exit code is 1 then.
  */
 
@@ -34,6 +35,10 @@ Input MakeInput(std::uint64_t number)
   {
     RoundToFloat(input.Sets);
     input.Settings.SinglePrecision = true;
+  }
+  if (number / 16 % 2 == 0)
+  {
+    input.Settings.Virtual = VirtualSlices::Automatic; // dense ones do not get any
   }
   if (number / 8 % 4 == 1)
   {

@@ -198,6 +198,7 @@ std::string Describe(const PieceSets& sets, const Options& options)
               : options.Crossing == CrossingContours::Refuse ? ", refuse"
                                                              : ", leave out")
        << (options.Central == CentralPointMethod::Centroid ? ", centroid" : ", least squares")
+       << (options.Virtual == VirtualSlices::Off ? "" : ", virtual slices")
        << (options.RefuseInvalid ? ", refuse invalid" : ", leave invalid out") << "\n"
        << ToText(sets);
   return text.str();

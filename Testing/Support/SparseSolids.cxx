@@ -137,5 +137,15 @@ PlaneSets FewPlanes(
   return planes;
 }
 
+PieceSets SliceByFewPlanes(const Solid& solid, const PlaneSets& planes, InPlaneGrid grid)
+{
+  std::array<int, 3> subdivisions;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    subdivisions[axis] = 32 / (static_cast<int>(planes[axis].size()) + 1) + 1;
+  }
+  return SliceSolid(solid, planes, subdivisions, grid);
+}
+
 } // namespace support
 } // namespace orthoslices

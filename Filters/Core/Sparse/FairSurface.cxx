@@ -129,6 +129,35 @@ bool Solve(const Operator& bending, const std::vector<std::uint8_t>& crease,
   return true;
 }
 
+/**
+ * Points of patches between creases alone: nothing says in which direction the surface leaves its
+ * contours there, and it would contract as a film of soap does. They stay where they are: sides are
+ * straight from one crease to the other, and ends flat.
+ */
+std::vector<std::uint8_t> FindHeldPoints(const SurfaceMesh& mesh)
+{
+  const CornerTable& corners = mesh.Corners;
+  std::vector<std::uint8_t> hasCrease(mesh.Cells.size(), 0), bends(mesh.Cells.size(), 0);
+  for (Index corner = 0; corner < corners.CornerCount(); ++corner)
+  {
+    if (corners.IsAlive(corner) && mesh.Fixed[corners.VertexOf(corner)])
+    {
+      const bool isCrease = mesh.Crease[corners.VertexOf(corner)] != 0;
+      (isCrease ? hasCrease : bends)[mesh.Cell[corner / 3]] = 1;
+    }
+  }
+  std::vector<std::uint8_t> held(mesh.Points.size(), 0);
+  for (Index corner = 0; corner < corners.CornerCount(); ++corner)
+  {
+    if (corners.IsAlive(corner))
+    {
+      const Index cell = mesh.Cell[corner / 3];
+      held[corners.VertexOf(corner)] |= hasCrease[cell] & ~bends[cell] & 1;
+    }
+  }
+  return held;
+}
+
 /// Numbers the points that are free to move.
 Index NumberFreePoints(
   const SurfaceMesh& mesh, const std::vector<std::uint8_t>& stopped, std::vector<Index>& place)
@@ -149,7 +178,7 @@ Index NumberFreePoints(
 void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
 {
   const Operator bending = MakeOperator(weights, mesh);
-  std::vector<std::uint8_t> stopped(mesh.Points.size(), 0);
+  std::vector<std::uint8_t> stopped = FindHeldPoints(mesh);
   std::vector<Index> place;
   // Points that reach the end of their cell stay there; then the others are placed anew.
   constexpr int rounds = 3;

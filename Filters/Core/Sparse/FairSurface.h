@@ -20,7 +20,8 @@ enum class EdgeWeights
  * minimal (L. Kobbelt et al., "Interactive Multi-Resolution Modeling on Arbitrary Meshes", 1998).
  * On a closed surface this is, by the theorem of Gauss and Bonnet, where the sum of the squares of
  * both principal curvatures is minimal. Contours are interpolated, and the surface passes them
- * smoothly. Points that would leave their cell stay on its boundary.
+ * smoothly, but for creases; a patch all of whose contours are creases is left as it is. Points that
+ * would leave their cell stay on its boundary.
  */
 void FairSurface(EdgeWeights weights, SurfaceMesh& mesh);
 }

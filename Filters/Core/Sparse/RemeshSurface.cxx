@@ -86,6 +86,22 @@ bool TryCollapse(
   return true;
 }
 
+/// Splits the edge of a corner in its middle.
+void SplitEdge(Index corner, SurfaceMesh& mesh)
+{
+  const Index start = mesh.Corners.StartOf(corner);
+  const Index end = mesh.Corners.EndOf(corner);
+  const Index across = mesh.Corners.OppositeOf(corner);
+  const bool isCurve = mesh.Corners.IsCurve(corner);
+  mesh.Points.push_back(Between(mesh.Points[start], mesh.Points[end], 0.5));
+  mesh.Stretch.push_back(0.5 * (mesh.Stretch[start] + mesh.Stretch[end]));
+  mesh.Fixed.push_back(isCurve ? 1 : 0);
+  mesh.Crease.push_back(mesh.Crease[start] && mesh.Crease[end] && isCurve ? 1 : 0);
+  mesh.Cell.push_back(mesh.Cell[corner / 3]);
+  mesh.Cell.push_back(mesh.Cell[across / 3]);
+  mesh.Corners.Split(corner);
+}
+
 double Cotangent(const SurfaceMesh& mesh, Index apex, Index a, Index b)
 {
   const Point3 u = mesh.Edge(apex, a);
@@ -160,26 +176,20 @@ void CollapseShortEdges(double length, SurfaceMesh& mesh)
 
 void SplitLongEdges(double length, SurfaceMesh& mesh)
 {
-  // New edges come at the end and are looked at, too; each is shorter than the one it comes from.
-  for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
+  // New edges come at the end and are looked at, too; but one part of an edge stays with its old
+  // corners, which is still too long after two splits if the edge was very long.
+  bool changed = true;
+  while (changed)
   {
-    if (!mesh.Corners.IsAlive(corner) || EdgeLength(mesh, corner) <= Long * length)
+    changed = false;
+    for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
     {
-      continue;
+      if (mesh.Corners.IsAlive(corner) && EdgeLength(mesh, corner) > Long * length)
+      {
+        SplitEdge(corner, mesh);
+        changed = true;
+      }
     }
-    const Index across = mesh.Corners.OppositeOf(corner);
-    const Point3 middle = Between(
-      mesh.Points[mesh.Corners.StartOf(corner)], mesh.Points[mesh.Corners.EndOf(corner)], 0.5);
-    mesh.Points.push_back(middle);
-    mesh.Stretch.push_back(0.5 *
-      (mesh.Stretch[mesh.Corners.StartOf(corner)] + mesh.Stretch[mesh.Corners.EndOf(corner)]));
-    mesh.Fixed.push_back(mesh.Corners.IsCurve(corner) ? 1 : 0);
-    const bool crease = mesh.Crease[mesh.Corners.StartOf(corner)] &&
-      mesh.Crease[mesh.Corners.EndOf(corner)] && mesh.Corners.IsCurve(corner);
-    mesh.Crease.push_back(crease ? 1 : 0);
-    mesh.Cell.push_back(mesh.Cell[corner / 3]);
-    mesh.Cell.push_back(mesh.Cell[across / 3]);
-    mesh.Corners.Split(corner);
   }
 }
 

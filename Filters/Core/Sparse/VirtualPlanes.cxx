@@ -70,7 +70,8 @@ SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double
       : std::clamp(densest, extent[axis] / ManyPlanes, extent[axis] / FewPlanes);
     if (spacing > 0.0 || grid.Count(axis) * FewAgainstMany <= most)
     {
-      this->Wide[axis] = WideSlab * (spacing > 0.0 ? spacing : extent[axis] / FewPlanes);
+      this->Wide[axis] =
+        WideSlab * (spacing > 0.0 ? spacing : std::max(densest, extent[axis] / FewPlanes));
     }
     const auto& planes = grid.Planes[axis];
     this->Sparse |= planes.empty();

@@ -19,8 +19,9 @@ using VirtualPlanes = std::array<std::vector<double>, 3>;
  *
  * - Where a family is missing, its axis is sparse everywhere.
  * - An axis with less than a third of the planes of the densest one, such as that of a long-axis
- *   slice through a stack, is sparse in slabs that are wider than 1.4 twelfths of its extent: a shape
- *   of some detail is seen by a dozen slices. Between axes with about as many planes cells are about
+ *   slice through a stack, is sparse in slabs that are wider than 1.4 twelfths of its extent, as a shape
+ *   of some detail is seen by a dozen slices, and wider than 1.4 times the spacing of the densest one,
+ *   as a flat object has few slices across although they are as close as all others. Between axes with about as many planes cells are about
  *   as long as wide, and patches from the contours around them are as good as any.
  * - But a stack of less than eight slices with a few across is not enough for a surface to bend from
  *   one to the next: there the slices across know better, and nothing is sparse.

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/RealSlices.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+namespace
+{
+/// The number of a plane in a grid that has others besides.
+Index NumberOf(const SpatialGrid& from, const SpatialGrid& to, int axis, Index plane)
+{
+  const std::vector<double>& planes = to.Planes[axis];
+  return static_cast<Index>(
+    std::lower_bound(planes.begin(), planes.end(), from.Planes[axis][plane]) - planes.begin());
+}
+
+/// The contours that are not removed.
+Contours SelectContours(const Contours& contours, const std::vector<std::uint8_t>& isRemoved)
+{
+  Contours result;
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    if (isRemoved[contour])
+    {
+      continue;
+    }
+    const Index begin = contours.Offsets[contour], end = contours.Offsets[contour + 1];
+    result.U.insert(result.U.end(), contours.U.begin() + begin, contours.U.begin() + end);
+    result.V.insert(result.V.end(), contours.V.begin() + begin, contours.V.begin() + end);
+    result.Offsets.push_back(static_cast<Index>(result.U.size()));
+    result.Axis.push_back(contours.Axis[contour]);
+    result.Coordinate.push_back(contours.Coordinate[contour]);
+    result.Plane.push_back(contours.Plane[contour]);
+    result.Cell.push_back(contours.Cell[contour]);
+  }
+  result.Virtual.assign(contours.Virtual.empty() ? 0 : result.Axis.size(), 0);
+  return result;
+}
+
+/// Lists contours of the first surface that take no part in either.
+void AppendLeftOut(
+  const Reconstruction& first, const std::vector<Index>& leftOut, Reconstruction& result)
+{
+  const IsolatedContours& from = first.Isolated;
+  IsolatedContours& to = result.Isolated;
+  for (const Index i : leftOut)
+  {
+    to.Points.insert(to.Points.end(), from.Points.begin() + 3 * from.Offsets[i],
+      from.Points.begin() + 3 * from.Offsets[i + 1]);
+    to.Offsets.push_back(static_cast<Index>(to.Points.size() / 3));
+    to.Axis.push_back(from.Axis[i]);
+    to.Plane.push_back(NumberOf(first.Grid, result.Grid, from.Axis[i], from.Plane[i]));
+    to.LeftOut.push_back(1);
+    to.Loop.push_back(IsolatedContours::None);
+  }
+}
+}
+
+std::vector<Index> FindLeftOut(
+  const IsolatedContours& isolated, const std::vector<IsolatedLoop>& parts)
+{
+  std::vector<Index> found;
+  for (Index i = 0; i < isolated.Count(); ++i)
+  {
+    if (isolated.Loop[i] == IsolatedContours::None && parts[i].FirstRun == GridCrossings::None)
+    {
+      found.push_back(i);
+    }
+  }
+  return found;
+}
+
+void RemoveContours(
+  const std::vector<Index>& leftOut, const std::vector<IsolatedLoop>& parts, Contours& contours)
+{
+  std::vector<std::uint8_t> isRemoved(contours.Axis.size(), 0);
+  std::array<std::vector<Index>, 3> count; // of each plane
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    std::vector<Index>& planes = count[contours.Axis[contour]];
+    planes.resize(std::max<std::size_t>(planes.size(), contours.Plane[contour] + 1), 0);
+    ++planes[contours.Plane[contour]];
+  }
+  bool changed = false;
+  for (const Index i : leftOut)
+  {
+    const Index contour = parts[i].Contour;
+    Index& left = count[contours.Axis[contour]][contours.Plane[contour]];
+    if (left > 1)
+    {
+      isRemoved[contour] = 1;
+      changed = true;
+      --left;
+    }
+  }
+  if (changed)
+  {
+    contours = SelectContours(contours, isRemoved);
+  }
+}
+
+void TakeReport(
+  const Reconstruction& first, const std::vector<Index>& leftOut, Reconstruction& result)
+{
+  const auto numberOf = [&](int axis, Index plane)
+  { return NumberOf(first.Grid, result.Grid, axis, plane); };
+  result.Reconciled = first.Reconciled;
+  result.Repairs = first.Repairs;
+  result.SmallComponents = first.SmallComponents;
+  for (Repair& repair : result.Repairs)
+  {
+    repair.Plane = repair.Axis < 0 ? -1 : numberOf(repair.Axis, repair.Plane);
+  }
+  result.Members = first.Members;
+  for (std::size_t i = 0; i < result.Members.Plane.size(); ++i)
+  {
+    result.Members.Plane[i] = numberOf(result.Members.Axis[i], result.Members.Plane[i]);
+  }
+  result.Agreement.OfContour = first.Agreement.OfContour;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (Index plane = 0; plane < first.Grid.Count(axis); ++plane)
+    {
+      const Index number = numberOf(axis, plane);
+      result.Agreement.OfPlane[axis][number] = first.Agreement.OfPlane[axis][plane];
+      result.Agreement.Shift[axis][number] = first.Agreement.Shift[axis][plane];
+    }
+  }
+  AppendLeftOut(first, leftOut, result);
+}
+}

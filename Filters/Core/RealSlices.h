@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesRealSlices_h
+#define OrthoSlicesRealSlices_h
+
+#include "Core/Reconstruction.h"
+
+#include <vector>
+
+/**
+ * What a surface from real and virtual slices keeps of the one from real slices alone: whatever the
+ * report says of the input, and which contours take no part.
+ */
+namespace orthoslices
+{
+/// The isolated contours that are whole ones and take no part in the surface. `parts` is what
+/// `isolated` was copied from.
+std::vector<Index> FindLeftOut(
+  const IsolatedContours& isolated, const std::vector<IsolatedLoop>& parts);
+
+/// Takes contours that are left out away from the contours as they were drawn, but never all of a
+/// plane: virtual slices would give them node points. `leftOut` are places in `parts`.
+void RemoveContours(
+  const std::vector<Index>& leftOut, const std::vector<IsolatedLoop>& parts, Contours& contours);
+
+/// Gives `result`, whose grid has all planes of the first one's and virtual ones besides, the report
+/// of the first one, and lists the contours that were left out there.
+void TakeReport(
+  const Reconstruction& first, const std::vector<Index>& leftOut, Reconstruction& result);
+}
+
+#endif

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Sparse/VirtualSlices.h"
+
+#include "Core/Reconstruct.h"
+#include "Core/Sparse/SurfaceMesh.h"
+#include "Support/SparseSolids.h"
+#include "Support/Threads.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+/// A solid cut by few planes, and the virtual slices through its surface.
+struct Sliced
+{
+  Sliced(
+    const Solid& solid, const std::array<int, 3>& count, const Execution& execution = Execution())
+    : First(Reconstruct(SliceByFewPlanes(solid, EqualPlanes(solid, count)), Options(), Execution()))
+  {
+    Box3 box;
+    for (Index i = 0; i < this->First.Graph.Count(); ++i)
+    {
+      box.Add(this->First.Graph.PointAt(i));
+    }
+    this->Virtual = MakeVirtualSlices(
+      GeometryOf(this->First), this->First.Surface, SliceDensity(this->First.Grid, box), execution);
+  }
+
+  Reconstruction First;
+  Contours Virtual;
+};
+
+double AreaOf(const Contours& contours, Index contour)
+{
+  double area = 0.0;
+  const Index begin = contours.Offsets[contour], end = contours.Offsets[contour + 1];
+  for (Index i = begin; i < end; ++i)
+  {
+    const Index j = i + 1 < end ? i + 1 : begin;
+    area += 0.5 * (contours.U[i] * contours.V[j] - contours.U[j] * contours.V[i]);
+  }
+  return area;
+}
+
+/// The greatest distance of the vertices within |z| <= `height` from the surface.
+double DistanceOf(const Contours& contours, const Solid& solid, double height)
+{
+  double greatest = 0.0;
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
+    {
+      const Point3 p = contours.World(contour, i);
+      greatest = std::abs(p[2]) > height ? greatest : std::max(greatest, std::abs(solid.Value(p)));
+    }
+  }
+  return greatest;
+}
+}
+
+//----------------------------------------------------------------------------
+TEST(MakeVirtualSlices, ContoursOfABallAreCirclesWithTheInteriorOnTheLeft)
+{
+  const Solid ball = PlainBall();
+  const Sliced sliced(ball, { 0, 0, 10 });
+  const Contours& contours = sliced.Virtual;
+  ASSERT_GE(contours.Count(), 20);
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    EXPECT_TRUE(contours.IsVirtual(contour));
+    EXPECT_NE(contours.Axis[contour], 2);
+    EXPECT_GE(contours.Size(contour), 8);
+    const int axis = contours.Axis[contour];
+    const double offset = contours.Coordinate[contour] - (axis == 0 ? 0.02 : -0.01);
+    const double area = std::acos(-1.0) * (1.0 - offset * offset);
+    EXPECT_NEAR(AreaOf(contours, contour), area, 0.05 * area + 0.02);
+  }
+  EXPECT_LT(DistanceOf(contours, ball, 0.8), 0.01);
+}
+
+//----------------------------------------------------------------------------
+/// A cavity's contours run clockwise.
+TEST(MakeVirtualSlices, ContoursOfACavityHaveItOnTheRight)
+{
+  const Sliced sliced(BallWithCavity(0.5), { 0, 0, 16 });
+  ASSERT_EQ(sliced.First.Topology.Components, 2);
+  const Contours& contours = sliced.Virtual;
+  double area = 0.0, cavity = 0.0;
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    const double part = AreaOf(contours, contour);
+    (part > 0.0 ? area : cavity) += part;
+  }
+  EXPECT_LT(cavity, -0.05 * area); // radii of 0.5 and 1
+  EXPECT_GT(cavity, -0.25 * area);
+}
+
+//----------------------------------------------------------------------------
+/// Between real slices, and only on axes that lack them.
+TEST(MakeVirtualSlices, PlanesAreThoseOfNobodyElse)
+{
+  for (const auto& count : { std::array<int, 3>{ 0, 12, 12 }, { 1, 1, 16 }, { 32, 32, 8 } })
+  {
+    const Sliced sliced(TorusAround(0, 0.3), count);
+    const Contours& contours = sliced.Virtual;
+    EXPECT_GT(contours.Count(), 0);
+    for (Index contour = 0; contour < contours.Count(); ++contour)
+    {
+      const int axis = contours.Axis[contour];
+      EXPECT_LT(count[axis], 12); // those that are sparse
+      for (const double plane : sliced.First.Grid.Planes[axis])
+      {
+        EXPECT_GT(std::abs(contours.Coordinate[contour] - plane), 1e-3);
+      }
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Thin tubes are stretched: between slices far apart the radius is the right one in the mean.
+TEST(MakeVirtualSlices, ThinThingsKeepTheirWidth)
+{
+  constexpr double radius = 0.11;
+  Solid rod = PlainBall();
+  rod.Tubes = { Capsule({ 0.1, 0.2, -2.0 }, { 0.1, 0.2, 2.0 }, radius) };
+  const Sliced sliced(rod, { 0, 0, 6 });
+  const Contours& contours = sliced.Virtual;
+  double sum = 0.0;
+  int count = 0;
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
+    {
+      const Point3 p = contours.World(contour, i);
+      if (std::abs(p[2]) < 0.6) // off the ends
+      {
+        sum += rod.Value(p);
+        ++count;
+      }
+    }
+  }
+  ASSERT_GT(count, 20);
+  // Contours of a dozen vertices are two per cent thinner than their circle.
+  EXPECT_NEAR(sum / count, -0.02 * radius, 0.04 * radius);
+}
+
+//----------------------------------------------------------------------------
+TEST(MakeVirtualSlices, DoNotDependOnThreads)
+{
+  const Solid torus = TorusAround(1, 0.15);
+  const Contours one = Sliced(torus, { 0, 0, 12 }).Virtual;
+  const Contours many = Sliced(torus, { 0, 0, 12 }, ManyThreads()).Virtual;
+  EXPECT_GT(one.Count(), 0);
+  EXPECT_EQ(one.U, many.U);
+  EXPECT_EQ(one.V, many.V);
+  EXPECT_EQ(one.Offsets, many.Offsets);
+  EXPECT_EQ(one.Coordinate, many.Coordinate);
+}
+
+//----------------------------------------------------------------------------
+/// The mesh that is made fair: contours are curves of fixed points, and cells are between them.
+TEST(SurfaceMesh, ContoursAreCurvesOfFixedPoints)
+{
+  const Sliced sliced(TorusAround(0, 0.3), { 0, 0, 12 });
+  const SurfaceMesh mesh =
+    MakeSurfaceMesh(GeometryOf(sliced.First), sliced.First.Surface, Execution());
+  EXPECT_EQ(mesh.StretchAxis, 2);
+  Index curves = 0;
+  for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
+  {
+    const Box3& cell = mesh.Cells[mesh.Cell[corner / 3]];
+    const Index vertex = mesh.Corners.VertexOf(corner);
+    const Point3& p = mesh.Points[vertex];
+    EXPECT_TRUE(mesh.Fixed[vertex] || (cell.Low[2] <= p[2] && p[2] <= cell.High[2]));
+    EXPECT_GE(mesh.Stretch[vertex], 1.0);
+    if (mesh.Corners.IsCurve(corner))
+    {
+      ++curves;
+      EXPECT_TRUE(mesh.Fixed[mesh.Corners.StartOf(corner)]);
+      EXPECT_TRUE(mesh.Fixed[mesh.Corners.EndOf(corner)]);
+      EXPECT_NE(mesh.Cell[corner / 3], mesh.Cell[mesh.Corners.OppositeOf(corner) / 3]);
+    }
+  }
+  EXPECT_EQ(curves, 2 * sliced.First.Graph.Count()); // as many edges as points, from both sides
+}
+
+//----------------------------------------------------------------------------
+/// Where a stack ends flat the surface has an edge, and where it ends round it has none.
+TEST(SurfaceMesh, FlatEndsHaveACrease)
+{
+  const auto countCreases = [](const Solid& solid)
+  {
+    const Sliced sliced(solid, { 0, 0, 12 });
+    const SurfaceMesh mesh =
+      MakeSurfaceMesh(GeometryOf(sliced.First), sliced.First.Surface, Execution());
+    return std::count(mesh.Crease.begin(), mesh.Crease.end(), std::uint8_t(1));
+  };
+  EXPECT_GT(countCreases(Pipe(0.5)), 0);
+  EXPECT_EQ(countCreases(PlainBall()), 0);
+}

@@ -1,0 +1,410 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file
+ * @brief   the guarantees where virtual slices are added: one family, two, a stack with few across
+ *
+ * What is true of a surface from real slices has to be true of one with virtual slices between them,
+ * and the report must be that of the real ones. ORTHOGONAL_SLICES_RUNS and ORTHOGONAL_SLICES_SEED
+ * set the number of random inputs of each kind and the first of them.
+ */
+
+#include "Core/Reconstruct.h"
+#include "Support/CheckBounds.h"
+#include "Support/CheckEmbedding.h"
+#include "Support/CheckSurface.h"
+#include "Support/Perturbations.h"
+#include "Support/RandomInput.h"
+#include "Support/ReconstructionMesh.h"
+#include "Support/SparseSolids.h"
+#include "Support/Stages.h"
+#include "Support/Threads.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+using namespace orthoslices;
+using namespace orthoslices::support;
+
+namespace
+{
+Input MakeInput(const Solid& solid, const std::array<int, 3>& count, InPlaneGrid grid)
+{
+  Input input;
+  input.Name = solid.Name;
+  for (const int planes : count)
+  {
+    input.Name += " " + std::to_string(planes);
+  }
+  // A little off the middle: no plane of symmetry.
+  input.Sets = SliceByFewPlanes(solid, FewPlanes(solid, count, { 0.013, -0.011, 0.0 }), grid);
+  input.Exact = grid == InPlaneGrid::Aligned;
+  return input;
+}
+
+/// Solids with walls, cavities and branchings by few planes of one, two and three axes.
+std::vector<Input> SparseInputs(InPlaneGrid grid)
+{
+  std::vector<Input> inputs;
+  const std::array<int, 3> counts[] = { { 0, 0, 12 }, { 10, 0, 11 }, { 1, 1, 14 }, { 0, 7, 0 },
+    { 0, 9, 8 }, { 0, 13, 1 } };
+  std::size_t number = 0;
+  for (const Solid& solid :
+    { PlainBall(), Pipe(0.5), BallWithCavity(0.5), OpenShell(0.2), Beaker(0.5), TorusAround(0, 0.3),
+      TorusAround(2, 0.15), BranchingTube(), TwoBalls(2, 0.3) })
+  {
+    for (int i = 0; i < 2; ++i)
+    {
+      inputs.push_back(MakeInput(solid, counts[number++ % 6], grid));
+    }
+  }
+  return inputs;
+}
+
+Reconstruction RunWith(
+  const Input& input, VirtualSlices mode, const Execution& execution = Execution())
+{
+  Options options = input.Settings;
+  options.Virtual = mode;
+  return Reconstruct(PieceSets(input.Sets), options, execution);
+}
+
+Reconstruction RunSparse(const Input& input, const Execution& execution = Execution())
+{
+  return RunWith(input, VirtualSlices::Automatic, execution);
+}
+
+bool AreSame(const TriangleMesh& a, const TriangleMesh& b)
+{
+  return a.Points == b.Points && a.Triangles == b.Triangles;
+}
+
+template <typename Visit>
+void VisitRandom(std::uint64_t usual, Visit&& visit)
+{
+  for (std::uint64_t seed = FirstSeed(); seed < FirstSeed() + RandomRuns(usual); ++seed)
+  {
+    const Input input = RandomSparseInput(seed);
+    SCOPED_TRACE(input.Name);
+    visit(input);
+  }
+}
+
+/// All inputs, exact and not, and random ones.
+template <typename Visit>
+void VisitAll(std::uint64_t usual, Visit&& visit)
+{
+  for (const InPlaneGrid grid : { InPlaneGrid::Aligned, InPlaneGrid::Free })
+  {
+    for (const Input& input : SparseInputs(grid))
+    {
+      SCOPED_TRACE(input.Name + (input.Exact ? ", aligned" : ", free"));
+      visit(input);
+    }
+  }
+  VisitRandom(usual, visit);
+}
+
+int CountFamilies(const PieceSets& sets)
+{
+  return static_cast<int>(std::count_if(
+    sets.begin(), sets.end(), [](const Pieces& pieces) { return pieces.Count() > 0; }));
+}
+}
+
+//----------------------------------------------------------------------------
+/// G1, G2, G3, G6 and G7.
+TEST(SparseGuarantees, SurfacesAreClosedEmbeddedOrientedAndBounded)
+{
+  int withVirtual = 0;
+  VisitAll(60,
+    [&](const Input& input)
+    {
+      const Reconstruction result = RunSparse(input);
+      const TriangleMesh mesh = MeshOf(result);
+      EXPECT_EQ(DescribeFlaws(mesh), "");
+      SpatialGrid grid;
+      const Contours contours = UsableContours(input.Sets, input.Settings, grid);
+      EXPECT_EQ(DescribeExcess(mesh, contours, false), "");
+      // At the vertices of the real grid.
+      const SideCheck sides = CheckGridVertices(mesh, contours, grid, input.Settings.Orient, 40, 1);
+      EXPECT_TRUE(sides.Wrong.empty()) << sides.Wrong.size() << " of " << sides.Compared;
+      withVirtual += result.Grid.HasVirtual() ? 1 : 0;
+    });
+  EXPECT_GT(withVirtual, 36);
+}
+
+//----------------------------------------------------------------------------
+/// What is asked to be left out is left out of the surface with virtual slices, too.
+TEST(SparseGuarantees, SmallComponentsAreLeftOut)
+{
+  // Side by side: between two above each other a stack does not know of slices without contours.
+  Solid solid = TwoBalls(0, 0.3);
+  solid.Tubes.back().Radius *= 0.5;
+  for (const auto& count : { std::array<int, 3>{ 0, 0, 20 }, { 20, 0, 16 } })
+  {
+    Input input = MakeInput(solid, count, InPlaneGrid::Free);
+    EXPECT_EQ(RunSparse(input).Topology.Components, 2);
+    input.Settings.MinComponent = 0.4;
+    const Reconstruction one = RunSparse(input);
+    EXPECT_TRUE(one.Grid.HasVirtual());
+    EXPECT_EQ(one.Topology.Components, 1);
+    EXPECT_EQ(one.SmallComponents, 1);
+    for (const Point3& p : MeshOf(one).Points)
+    {
+      EXPECT_LT(p[0], 0.2); // the smaller one is beyond
+    }
+    EXPECT_EQ(DescribeFlaws(MeshOf(one)), "");
+  }
+}
+
+//----------------------------------------------------------------------------
+/// G4: every vertex of a stack, and every vertex of families that agree, to the last bit.
+TEST(SparseGuarantees, ContoursOfRealSlicesAreKept)
+{
+  VisitAll(60,
+    [](const Input& input)
+    {
+      const Reconstruction result = RunSparse(input);
+      if (!result.Grid.HasVirtual() || result.SmallComponents > 0 ||
+        input.Settings.MinIsolatedContour > 0.0 || !(input.Exact || CountFamilies(input.Sets) == 1))
+      {
+        return;
+      }
+      SpatialGrid grid;
+      const Contours contours = UsableContours(input.Sets, input.Settings, grid);
+      TriangleMesh mesh = MeshOf(result);
+      EXPECT_EQ(FindMissingVertices(contours, mesh, 0.0).size(), 0u) << "of " << contours.U.size();
+    });
+}
+
+//----------------------------------------------------------------------------
+/// Virtual slices change the shape between real ones, but never what is connected to what.
+TEST(SparseGuarantees, TopologyIsThatOfTheRealSlices)
+{
+  VisitAll(60,
+    [](const Input& input)
+    {
+      const SurfaceCheck real = CheckSurface(MeshOf(RunWith(input, VirtualSlices::Off)));
+      const Reconstruction result = RunSparse(input);
+      const SurfaceCheck all = CheckSurface(MeshOf(result));
+      EXPECT_EQ(all.Components, real.Components);
+      EXPECT_EQ(all.TotalGenus(), real.TotalGenus());
+      EXPECT_EQ(result.Topology.Components, all.Components);
+      EXPECT_EQ(result.Topology.Genus, all.TotalGenus());
+      std::vector<std::int64_t> a = real.Genus, b = all.Genus;
+      std::sort(a.begin(), a.end());
+      std::sort(b.begin(), b.end());
+      EXPECT_EQ(a, b);
+    });
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// Node points and disagreement of each real contour.
+std::vector<std::tuple<Index, double, double>> AgreementOf(const Reconstruction& result)
+{
+  std::vector<std::tuple<Index, double, double>> rows;
+  for (std::size_t i = 0; i < result.Members.Cell.size(); ++i)
+  {
+    if (!result.Members.IsVirtual(i))
+    {
+      const Agreement& agreement = result.Agreement.OfContour[i];
+      rows.emplace_back(agreement.NodePoints, agreement.SumOfSquares, agreement.Greatest);
+    }
+  }
+  return rows;
+}
+
+std::array<std::size_t, 2> Overruled(const Reconstruction& result)
+{
+  std::array<std::size_t, 2> count{ 0, 0 };
+  for (const Repair& repair : result.Repairs)
+  {
+    count[0] += repair.Kind == RepairKind::VertexRelabelled ? 1 : 0;
+    count[1] += repair.Kind == RepairKind::CrossingsSnipped ? 1 : 0;
+  }
+  return count;
+}
+}
+
+TEST(SparseGuarantees, ReportIsThatOfTheRealSlices)
+{
+  VisitAll(60,
+    [](const Input& input)
+    {
+      const Reconstruction real = RunWith(input, VirtualSlices::Off);
+      const Reconstruction all = RunSparse(input);
+      EXPECT_EQ(all.ContourCount, real.ContourCount);
+      EXPECT_EQ(all.Diagonal, real.Diagonal);
+      EXPECT_EQ(all.PolygonSizes, real.PolygonSizes);
+      EXPECT_EQ(all.Undecided.Places.size(), real.Undecided.Places.size());
+      EXPECT_EQ(all.Undecided.Planes.size(), real.Undecided.Planes.size());
+      EXPECT_EQ(all.Doubtful.Places.size(), real.Doubtful.Places.size());
+      EXPECT_EQ(AgreementOf(all), AgreementOf(real));
+      EXPECT_EQ(Overruled(all), Overruled(real));
+      EXPECT_EQ(all.Reconciled.Vertices, real.Reconciled.Vertices);
+      EXPECT_EQ(all.Reconciled.Edges, real.Reconciled.Edges);
+      EXPECT_EQ(all.SmallComponents, real.SmallComponents);
+      for (const Repair& repair : all.Repairs)
+      {
+        EXPECT_TRUE(repair.Axis < 0 || !all.Grid.IsVirtual(repair.Axis, repair.Plane));
+      }
+    });
+}
+
+//----------------------------------------------------------------------------
+/// The mode says nothing where slices are dense.
+TEST(SparseGuarantees, DenseSlicesGiveTheSameBytes)
+{
+  for (std::uint64_t seed = 0; seed < 12; ++seed)
+  {
+    const int n = 4 + static_cast<int>(seed);
+    const Input input = MakeInput(RandomSolid(seed), { n, n, n + 1 }, InPlaneGrid::Free);
+    const Reconstruction off = RunWith(input, VirtualSlices::Off);
+    const Reconstruction automatic = RunSparse(input);
+    EXPECT_FALSE(automatic.Grid.HasVirtual());
+    EXPECT_TRUE(AreSame(MeshOf(off), MeshOf(automatic))) << input.Name;
+  }
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// `threads` ranges of about equal length, each in a thread of its own.
+Execution Threads(std::size_t threads)
+{
+  Execution execution;
+  execution.For = [threads](std::size_t count, const Execution::Range& run)
+  {
+    std::vector<std::thread> all;
+    for (std::size_t i = 0; i < threads; ++i)
+    {
+      all.emplace_back(
+        [&run, i, count, threads]
+        {
+          const std::size_t begin = count * i / threads, end = count * (i + 1) / threads;
+          begin < end ? run(begin, end) : static_cast<void>(0);
+        });
+    }
+    for (std::thread& thread : all)
+    {
+      thread.join();
+    }
+  };
+  return execution;
+}
+}
+
+/// G5.
+TEST(SparseGuarantees, SameForAnyNumberOfThreads)
+{
+  const auto check = [](const Input& input)
+  {
+    const TriangleMesh one = MeshOf(RunSparse(input, Threads(1)));
+    EXPECT_TRUE(AreSame(MeshOf(RunSparse(input, Threads(2))), one));
+    EXPECT_TRUE(AreSame(MeshOf(RunSparse(input, Threads(8))), one));
+    EXPECT_TRUE(AreSame(MeshOf(RunSparse(input, ManyThreads())), one));
+  };
+  for (const Input& input : SparseInputs(InPlaneGrid::Free))
+  {
+    SCOPED_TRACE(input.Name);
+    check(input);
+  }
+  VisitRandom(20, check);
+}
+
+//----------------------------------------------------------------------------
+/// Rounded to float: closed, embedded and bounded, with the topology of the real slices.
+TEST(SparseGuarantees, HoldInSinglePrecision)
+{
+  VisitAll(60,
+    [](Input input)
+    {
+      input.Settings.SinglePrecision = true;
+      RoundToFloat(input.Sets);
+      const Reconstruction result = RunSparse(input);
+      TriangleMesh mesh = MeshOf(result);
+      for (Point3& p : mesh.Points)
+      {
+        for (double& x : p)
+        {
+          x = static_cast<double>(static_cast<float>(x));
+        }
+      }
+      EXPECT_EQ(DescribeFlaws(mesh), "");
+      SpatialGrid grid;
+      const Contours contours = UsableContours(input.Sets, input.Settings, grid);
+      EXPECT_EQ(DescribeExcess(mesh, contours, true), "");
+      EXPECT_TRUE(result.Topology == RunWith(input, VirtualSlices::Off).Topology);
+    });
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// Whether the result has virtual slices, the number of node points and the volume: what no change
+/// of the description may change, up to rounding.
+void ExpectAlike(const Reconstruction& a, const Reconstruction& b, double factor = 1.0)
+{
+  EXPECT_TRUE(a.Topology == b.Topology);
+  EXPECT_EQ(a.Grid.HasVirtual(), b.Grid.HasVirtual());
+  const double volume = CheckSurface(MeshOf(a)).TotalVolume();
+  EXPECT_NEAR(CheckSurface(MeshOf(b)).TotalVolume() / factor, volume, 2e-3 * std::abs(volume));
+}
+}
+
+/// Which axis is called x is of no importance.
+TEST(SparseGuarantees, AxesMayBePermuted)
+{
+  for (const Input& input : SparseInputs(InPlaneGrid::Free))
+  {
+    SCOPED_TRACE(input.Name);
+    const Reconstruction before = RunSparse(input);
+    Input turned = input;
+    for (int i = 0; i < 2; ++i)
+    {
+      PermuteAxes(turned.Sets);
+      ExpectAlike(before, RunSparse(turned));
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Pieces in another order that begin elsewhere.
+TEST(SparseGuarantees, PiecesMayComeInAnyOrder)
+{
+  for (const Input& input : SparseInputs(InPlaneGrid::Free))
+  {
+    SCOPED_TRACE(input.Name);
+    Input shuffled = input;
+    ShufflePieces(shuffled.Sets, 7);
+    ExpectAlike(RunSparse(input), RunSparse(shuffled));
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Times a power of two: every number is that power times what it was.
+TEST(SparseGuarantees, ScalingByPowersOfTwoIsExact)
+{
+  for (const Input& input : SparseInputs(InPlaneGrid::Free))
+  {
+    SCOPED_TRACE(input.Name);
+    const TriangleMesh before = MeshOf(RunSparse(input));
+    for (const double factor : { 0x1p-20, 0x1p10 })
+    {
+      Input scaled = input;
+      Scale(scaled.Sets, factor);
+      TriangleMesh after = MeshOf(RunSparse(scaled));
+      for (Point3& p : after.Points)
+      {
+        p = (1.0 / factor) * p;
+      }
+      EXPECT_TRUE(AreSame(before, after)) << factor;
+    }
+  }
+}
