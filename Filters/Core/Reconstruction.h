@@ -69,10 +69,10 @@ struct Reconstruction
 
 CycleGeometry GeometryOf(const Reconstruction& result);
 
-/// Number of node points at which the two contours are farther apart than the tolerance.
-/// Contours of real slices without node points, or parts of them, that take no part in the surface.
+/// Number of contours of real slices without node points, or parts of them, that take no part in the surface.
 Index CountLeftOut(const Reconstruction& result);
 
+/// Number of node points at which two contours of real slices are farther apart than the tolerance.
 Index CountDisagreements(const Reconstruction& result, double tolerance);
 }
 

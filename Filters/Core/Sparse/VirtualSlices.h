@@ -15,11 +15,16 @@ namespace orthoslices
  *
  *   MakeSurfaceMesh    the surface, with its contours as curves on it
  *   RemeshSurface      with triangles of about the same size
- *   FairSurface        bent as little as the contours and cells allow
+ *   FairSurface        bent as little as the contours and cells allow; then both once more
+ *   SubdivideSurface   four curved triangles for each, within the bounds of the grid
  *   SliceSurface       cut on the planes of ChooseVirtualPlanes
  *
- * The contours are closed and have the interior on their left; Contours::Virtual is set for all of
- * them. They may cross each other where the smooth surface crosses itself.
+ * Returns these contours alone: closed, with the interior on their left, of Cell -1 and without
+ * Plane and Virtual, which are for the caller to set. They may cross each other where the smooth
+ * surface crosses itself. None if no plane is to be added. REQUIRES: density.IsSparse().
+ *
+ * Deterministic. The mesh has as many edges as EdgeLength asks for, besides what contours need to
+ * keep their course; one sparse system of equations of its size is factorized a few times.
  */
 Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches,
   const SliceDensity& density, const Execution& execution);
