@@ -70,20 +70,29 @@ def draw(ports, surface, title):
         lines = simple.Show(port, view)
         lines.SetScalarColoring(None, 0)
         lines.AmbientColor = lines.DiffuseColor = example.AXES["XYZ".index(axis)]
-        lines.LineWidth = 1.0
+        lines.Opacity = 0.4
     if title:
         text = simple.Text(Text=title)
         simple.Show(text, view, FontSize=20, Color=[0.1, 0.1, 0.1], WindowLocation="Upper Center")
     view.CenterAxesVisibility = 0
-    view.CameraPosition = [1.0, -2.0, 0.8]
-    view.CameraFocalPoint = [0.0, 0.0, 0.0]
-    view.CameraViewUp = [0.0, 0.0, 1.0]
     return view
+
+
+def look_at(bounds, view):
+    """Obliquely, with z upwards, and alike for all, whatever sticks out."""
+    low, high = bounds[0::2], bounds[1::2]
+    distance = 0.6 * sum((b - a) ** 2 for a, b in zip(low, high)) ** 0.5
+    view.CameraFocalPoint = [0.5 * (a + b) for a, b in zip(low, high)]
+    view.CameraPosition = [
+        f + distance * d for f, d in zip(view.CameraFocalPoint, (1.0, -2.0, 0.8))]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    view.CameraViewAngle = 30.0
 
 
 def main(surface_file, picture, plugin=None, width=1600):
     example.load_plugin(plugin)
     model = simple.XMLPolyDataReader(FileName=[surface_file])
+    model.UpdatePipeline()
     bounds = model.GetDataInformation().GetBounds()
     views = []
     for mode in MODES:
@@ -97,8 +106,7 @@ def main(surface_file, picture, plugin=None, width=1600):
     size = [int(width), int(width) * len(MODES) // len(CHOICES)]
     layout.SetSize(*size)
     for view in views:
-        view.ResetCamera(*bounds)  # all alike, whatever sticks out
-        view.GetActiveCamera().Zoom(1.3)
+        look_at(bounds, view)
     example.save_screenshot(picture, layout, size)
 
 
