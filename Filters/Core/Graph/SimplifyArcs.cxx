@@ -10,9 +10,6 @@
 
 namespace orthoslices
 {
-namespace
-{
-/// Marks the points between the first and the last that stay.
 void MarkKept(const std::vector<Point3>& points, double tolerance, std::vector<std::uint8_t>& kept)
 {
   std::vector<std::pair<std::size_t, std::size_t>> open{ { 0, points.size() - 1 } };
@@ -40,8 +37,6 @@ void MarkKept(const std::vector<Point3>& points, double tolerance, std::vector<s
     }
   }
 }
-}
-
 void ThinArcs(double tolerance, const GridCrossings& crossings, const NodePoints& nodes,
   const Execution& execution, NodeGraph& graph)
 {

@@ -8,9 +8,13 @@
 
 namespace orthoslices
 {
+/// Marks the points between the first and the last of a curve that stay (D. H. Douglas and T. K.
+/// Peucker, 1973): those left out lie within `tolerance` of the line through the others.
+void MarkKept(const std::vector<Point3>& points, double tolerance, std::vector<std::uint8_t>& kept);
+
 /**
  * Leaves out vertices of arcs that lie within `tolerance` (world units) of the line through those
- * that stay (D. H. Douglas and T. K. Peucker, 1973). Node points stay, and both patches beside an
+ * that stay; see MarkKept. Node points stay, and both patches beside an
  * arc have what is left: no cracks. 0 leaves everything as it is.
  */
 void ThinArcs(double tolerance, const GridCrossings& crossings, const NodePoints& nodes,

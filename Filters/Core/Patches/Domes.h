@@ -22,7 +22,7 @@ void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
 /**
  * Flattens what lies beyond the last slices where the object ends flat, as far as slices of one
  * family tell: where the patch between the last two slices has loops on both, and those on the last
- * one enclose no less than nine tenths of what those before enclose. So boxes and cylinders end at
+ * one enclose at least 0.98 of what those before enclose. So boxes and cylinders end at
  * their last slice, and balls and cones, whose sections shrink towards their ends, in domes as high
  * as half the spacing or as wide as their loop. `stitched` are the patches between the slices and
  * beyond them. Central points and all points of patches beyond a slice move to the least height

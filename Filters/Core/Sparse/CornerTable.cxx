@@ -3,6 +3,7 @@
 #include "Core/Sparse/CornerTable.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace orthoslices
@@ -13,18 +14,35 @@ CornerTable::CornerTable(Index points, const std::vector<std::array<Index, 3>>& 
   , Curve(3 * triangles.size(), 0)
   , Corner(static_cast<std::size_t>(points), -1)
 {
-  std::vector<std::pair<std::uint64_t, Index>> edges(this->Vertex.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     this->SetTriangle(static_cast<Index>(t), triangles[t][0], triangles[t][1], triangles[t][2]);
   }
+  this->LinkTriangles();
+}
+
+void CornerTable::LinkTriangles()
+{
+  // A counting sort by the end with the smaller number, then each of the short lists by the other.
+  const auto low = [&](Index corner)
+  { return std::min(this->StartOf(corner), this->EndOf(corner)); };
+  const auto high = [&](Index corner)
+  { return std::max(this->StartOf(corner), this->EndOf(corner)); };
+  std::vector<Index> offsets(this->Corner.size() + 2, 0);
   for (Index corner = 0; corner < this->CornerCount(); ++corner)
   {
-    const std::uint64_t low = std::min(this->StartOf(corner), this->EndOf(corner));
-    const std::uint64_t high = std::max(this->StartOf(corner), this->EndOf(corner));
-    edges[corner] = { low << 32 | high, corner };
+    ++offsets[low(corner) + 2];
   }
-  std::sort(edges.begin(), edges.end());
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::vector<std::pair<Index, Index>> edges(this->Vertex.size());
+  for (Index corner = 0; corner < this->CornerCount(); ++corner)
+  {
+    edges[offsets[low(corner) + 1]++] = { high(corner), corner };
+  }
+  for (std::size_t point = 0; point + 1 < offsets.size(); ++point)
+  {
+    std::sort(edges.begin() + offsets[point], edges.begin() + offsets[point + 1]);
+  }
   for (std::size_t i = 0; i + 1 < edges.size(); i += 2)
   {
     this->Link(edges[i].second, edges[i + 1].second);
@@ -75,6 +93,25 @@ Index CornerTable::FindEdge(Index from, Index to) const
   return found;
 }
 
+bool CornerTable::AreAdjacent(Index a, Index b) const
+{
+  // Turns around both at once, as one of them may be the centre of a large fan.
+  const Index firstA = this->Corner[a];
+  const Index firstB = this->Corner[b];
+  Index atA = firstA;
+  Index atB = firstB;
+  do
+  {
+    if (this->Vertex[Next(atA)] == b || this->Vertex[Next(atB)] == a)
+    {
+      return true;
+    }
+    atA = Next(this->Opposite[Next(atA)]);
+    atB = Next(this->Opposite[Next(atB)]);
+  } while (atA != firstA && atB != firstB);
+  return false;
+}
+
 Index CornerTable::CountCurves(Index vertex) const
 {
   Index count = 0;
@@ -105,7 +142,7 @@ bool CornerTable::CanCollapse(Index corner) const
     {
       ++valence;
       const Index neighbor = this->Vertex[Next(at)];
-      common += neighbor != end && this->FindEdge(neighbor, end) >= 0 ? 1 : 0;
+      common += neighbor != end && this->AreAdjacent(neighbor, end) ? 1 : 0;
     });
   return common == 2 && valence + this->Valence(end) > 7;
 }
@@ -115,12 +152,8 @@ void CornerTable::Collapse(Index corner)
   const Index start = this->StartOf(corner);
   const Index end = this->EndOf(corner);
   const Index across = this->Opposite[corner];
-  std::vector<Index> moving;
-  this->ForCornersAt(start, [&](Index at) { moving.push_back(at); });
-  for (const Index at : moving)
-  {
-    this->Vertex[at] = end;
-  }
+  // The way around a vertex does not depend on its number.
+  this->ForCornersAt(start, [&](Index at) { this->Vertex[at] = end; });
   this->Corner[start] = -1;
   for (const Index gone : { corner, across })
   {
@@ -147,7 +180,7 @@ bool CornerTable::CanFlip(Index corner) const
   const Index across = this->Opposite[corner];
   return !this->IsCurve(corner) && this->Valence(this->StartOf(corner)) > 3 &&
     this->Valence(this->EndOf(corner)) > 3 &&
-    this->FindEdge(this->Vertex[corner], this->Vertex[across]) < 0;
+    !this->AreAdjacent(this->Vertex[corner], this->Vertex[across]);
 }
 
 void CornerTable::Flip(Index corner)

@@ -56,8 +56,10 @@ public:
     } while (corner != first);
   }
   Index Valence(Index vertex) const;
-  /// The corner whose edge joins two vertices, or -1.
+  /// The corner whose edge joins two vertices, or -1. Time grows with the valence of `from`.
   Index FindEdge(Index from, Index to) const;
+  /// Whether an edge joins two vertices. Time grows with the smaller of their valences.
+  bool AreAdjacent(Index a, Index b) const;
 
   /**
    * Whether the start of a corner's edge may be moved into its end: the surface remains a manifold
@@ -78,6 +80,7 @@ public:
   std::vector<std::array<Index, 3>> ListTriangles() const;
 
 private:
+  void LinkTriangles();
   void Link(Index corner, Index opposite);
   void SetTriangle(Index triangle, Index a, Index b, Index c);
   Index CountCurves(Index vertex) const;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace orthoslices
 {
@@ -40,8 +41,9 @@ bool StaysShort(const SurfaceMesh& mesh, Index corner, const Point3& target, dou
   return after <= std::max(before, maximum);
 }
 
-/// Whether a contour stays within `tolerance` of the start of an edge if that is left out.
-bool StaysOnContour(const SurfaceMesh& mesh, Index corner, double tolerance)
+/// Whether a contour stays within `tolerance` of the start of an edge if that is left out, and gets
+/// no edge there that is longer than `longest`.
+bool StaysOnContour(const SurfaceMesh& mesh, Index corner, double tolerance, double longest)
 {
   const Index start = mesh.Corners.StartOf(corner);
   const Point3& target = mesh.Points[mesh.Corners.EndOf(corner)];
@@ -52,8 +54,10 @@ bool StaysOnContour(const SurfaceMesh& mesh, Index corner, double tolerance)
       if (mesh.Corners.IsCurve(CornerTable::Previous(at)))
       {
         const Point3& before = mesh.Points[mesh.Corners.VertexOf(CornerTable::Next(at))];
+        const double stretch = mesh.Stretch[start];
         stays &= before == target ||
-          SquaredDistanceToSegment(mesh.Points[start], before, target) <= tolerance * tolerance;
+          (SquaredDistanceToSegment(mesh.Points[start], before, target) <= tolerance * tolerance &&
+            Length(mesh.Stretched(target - before, stretch)) <= longest);
       }
     });
   return stays;
@@ -64,12 +68,13 @@ bool TryCollapse(Index corner, double shortest, double maximum, SurfaceMesh& mes
 {
   // Contours keep their course; the classes of short edges add up to twice that.
   const double tolerance = ContourShare * shortest / mesh.Stretch[mesh.Corners.StartOf(corner)];
+  const double longest = Long / Short * shortest;
   const Index start = mesh.Corners.StartOf(corner);
   const Index end = mesh.Corners.EndOf(corner);
   const Point3 target =
     mesh.Fixed[end] ? mesh.Points[end] : Between(mesh.Points[start], mesh.Points[end], 0.5);
   if ((mesh.Fixed[start] && !mesh.Corners.IsCurve(corner)) || !mesh.Corners.CanCollapse(corner) ||
-    (mesh.Fixed[start] && !StaysOnContour(mesh, corner, tolerance)) ||
+    (mesh.Fixed[start] && !StaysOnContour(mesh, corner, tolerance, longest)) ||
     !StaysShort(mesh, corner, target, maximum))
   {
     return false;
@@ -97,28 +102,55 @@ bool IsDelaunay(const SurfaceMesh& mesh, Index corner)
   constexpr double enough = -1e-9;
   return Cotangent(mesh, c, a, b) + Cotangent(mesh, d, a, b) >= enough;
 }
+
+/// The shortest edges collapse first, in classes that are half as long as the next one, so that no
+/// vertex gathers the triangles of many others: as many as the edges of contours need.
+int CountClasses(double length, const std::vector<Index>& corners, const SurfaceMesh& mesh)
+{
+  constexpr int least = 5;
+  constexpr int most = 16;
+  double sum = 0.0; // of logarithms, which a few long edges do not rule
+  double count = 0.0;
+  for (const Index corner : corners)
+  {
+    if (mesh.Corners.IsCurve(corner))
+    {
+      sum += std::log2(std::max(EdgeLength(mesh, corner) / length, std::pow(0.5, most)));
+      count += 1.0;
+    }
+  }
+  return std::clamp(static_cast<int>(std::ceil(-sum / std::max(count, 1.0))), least, most);
+}
 }
 
 void CollapseShortEdges(double length, SurfaceMesh& mesh)
 {
-  // The shortest first, in a few classes; a collapse makes room for others, so that each class has
-  // a few passes.
-  constexpr int classes = 5;
+  // A collapse makes room for others, so that each class has a few passes.
   constexpr int passes = 4;
-  for (int i = classes - 1; i >= 0; --i)
+  std::vector<Index> corners(static_cast<std::size_t>(mesh.Corners.CornerCount()));
+  std::iota(corners.begin(), corners.end(), 0);
+  const auto leaveOutDead = [&]
+  {
+    corners.erase(std::remove_if(corners.begin(), corners.end(),
+                    [&](Index corner) { return !mesh.Corners.IsAlive(corner); }),
+      corners.end());
+  };
+  leaveOutDead();
+  for (int i = CountClasses(length, corners, mesh) - 1; i >= 0; --i)
   {
     const double shortest = Short * length * std::pow(0.5, i);
     bool changed = true;
     for (int pass = 0; pass < passes && changed; ++pass)
     {
       changed = false;
-      for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
+      for (const Index corner : corners)
       {
         if (mesh.Corners.IsAlive(corner) && EdgeLength(mesh, corner) < shortest)
         {
           changed |= TryCollapse(corner, shortest, Long * length, mesh);
         }
       }
+      leaveOutDead();
     }
   }
 }

@@ -93,23 +93,21 @@ double ThicknessOfLoop(const NodeGraph& graph, Index loop)
 /// The radius of a tube that slices one spacing apart show well: least bending then narrows it by
 /// half a percent in the middle between two slices.
 constexpr double SpacingsOfRadius = 0.85;
+/// The same where the surface has an edge around a flat end, and bends there as it likes: like a soap
+/// film it would narrow a tube between two such ends by one part in 2 (2 radii / spacings) ^ 2.
+constexpr double SpacingsOfRadiusAtEdge = 3.0;
 /// Thinner things are not worth the triangles.
 constexpr double MaxStretch = 16.0;
 
 void FindStretch(const CycleGeometry& geometry, SurfaceMesh& mesh)
 {
-  mesh.Stretch.assign(mesh.Points.size(), 1.0);
-  mesh.StretchAxis = FindOnlyFamily(geometry.Grid);
-  if (mesh.StretchAxis < 0)
-  {
-    return;
-  }
   const NodeGraph& graph = geometry.Graph;
   for (Index loop = 0; loop < static_cast<Index>(graph.Loops.size()); ++loop)
   {
-    const double needed = SpacingsOfRadius * geometry.Grid.MeanSpacing(mesh.StretchAxis);
-    const double stretch = std::clamp(needed / ThicknessOfLoop(graph, loop), 1.0, MaxStretch);
     const Index first = graph.FirstPoint(graph.Arcs + loop);
+    const double spacings = mesh.Crease[first] != 0 ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
+    const double needed = spacings * geometry.Grid.MeanSpacing(mesh.StretchAxis);
+    const double stretch = std::clamp(needed / ThicknessOfLoop(graph, loop), 1.0, MaxStretch);
     std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), stretch);
   }
   for (Index point = graph.Count(); point < mesh.Corners.PointCount(); ++point)
@@ -157,6 +155,18 @@ void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches, Surf
     }
   }
 }
+
+/// Contours run between patches of different cells.
+void MarkContours(SurfaceMesh& mesh)
+{
+  for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
+  {
+    if (mesh.Cell[corner / 3] != mesh.Cell[mesh.Corners.OppositeOf(corner) / 3])
+    {
+      mesh.Corners.MarkCurve(corner);
+    }
+  }
+}
 }
 
 SurfaceMesh MakeSurfaceMesh(
@@ -174,27 +184,20 @@ SurfaceMesh MakeSurfaceMesh(
   {
     contours.Add(mesh.Points[point]);
   }
-  std::vector<Index> border, places;
   mesh.Cell.resize(static_cast<std::size_t>(patches.TriangleCount()));
   for (Index cycle = 0; cycle < geometry.Cycles.Count(); ++cycle)
   {
     mesh.Cells.push_back(BoundCell(geometry.Grid, contours, geometry.Cycles.Cell[cycle]));
     std::fill(mesh.Cell.begin() + patches.Offsets[cycle],
       mesh.Cell.begin() + patches.Offsets[cycle + 1], cycle);
-    geometry.GetBoundary(cycle, border, places);
-    for (std::size_t i = 0; i < border.size(); ++i)
-    {
-      const Index edge = mesh.Corners.FindEdge(border[i], border[(i + 1) % border.size()]);
-      if (edge >= 0)
-      {
-        mesh.Corners.MarkCurve(edge);
-      }
-    }
   }
-  FindStretch(geometry, mesh);
+  MarkContours(mesh);
+  mesh.Stretch.assign(mesh.Points.size(), 1.0);
+  mesh.StretchAxis = FindOnlyFamily(geometry.Grid);
   if (mesh.StretchAxis >= 0)
   {
     MarkFlatPatches(geometry, patches, mesh);
+    FindStretch(geometry, mesh);
   }
   return mesh;
 }

@@ -60,10 +60,11 @@ struct SurfaceMesh
  * that are not bounded by planes end half a mean spacing beyond the contours, an extent being the
  * spacing where there are fewer than two planes.
  *
- * With one family of slices, points of a contour are stretched by what makes its thickness (twice
- * its area by its length: the radius of a circle) 0.85 of the mean spacing, between 1 and 16 times,
- * other points as the one beside them that is stretched most. There, too, contours around a patch
- * that is flatter than a fiftieth of the spacing become creases: the object ends flat.
+ * With one family of slices, contours around a patch that is flatter than a fiftieth of the spacing
+ * become creases: the object ends flat. There, too, points of a contour are stretched by what makes
+ * its thickness (twice its area by its length: the radius of a circle) 0.85 of the mean spacing, or 3
+ * spacings at a crease, between 1 and 16 times; other points as the one beside them that is
+ * stretched most.
  * REQUIRES: the patches are laid out as triangles.
  */
 SurfaceMesh MakeSurfaceMesh(

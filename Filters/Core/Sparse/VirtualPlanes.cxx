@@ -85,8 +85,8 @@ SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double
 
 double SliceDensity::EdgeLength() const
 {
-  // Finer meshes do not become more accurate, coarser ones do not bend as they should.
-  constexpr double share = 0.7;
+  // With 0.7 the error of two families is an eighth greater, with less than 0.45 no smaller.
+  constexpr double share = 0.5;
   return share * this->Target[this->Longest];
 }
 

@@ -43,7 +43,7 @@ public:
   /// How far apart planes have to be along an axis, in world units; 0 if the rules find nothing
   /// sparse.
   double Spacing(int axis) const { return this->Target[axis]; }
-  /// How long the edges of a mesh may be that shows the same detail, in world units: 0.7 of the
+  /// How long the edges of a mesh may be that shows the same detail, in world units: half of the
   /// spacing along the axis of the greatest extent.
   double EdgeLength() const;
   /// The number of parts into which planes are to divide a slab of this width; 1 if it is not

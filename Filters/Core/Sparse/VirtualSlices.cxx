@@ -2,33 +2,91 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Sparse/VirtualSlices.h"
 
+#include "Core/Graph/SimplifyArcs.h"
 #include "Core/Slicing/SliceSurface.h"
 #include "Core/Sparse/FairSurface.h"
 #include "Core/Sparse/RemeshSurface.h"
 #include "Core/Sparse/SubdivideSurface.h"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 #include <utility>
 
 namespace orthoslices
 {
 namespace
 {
-/// The surface as a mesh of equal triangles, bent as little as possible.
-SurfaceMesh MakeFairSurface(const CycleGeometry& geometry, const Patches& patches,
-  double edgeLength, const Execution& execution)
+/// Makes the surface a mesh of equal triangles, bent as little as possible. False if stopped.
+bool MakeFair(double edgeLength, const Execution& execution, SurfaceMesh& mesh)
 {
-  SurfaceMesh mesh = MakeSurfaceMesh(geometry, patches, execution);
-  CollapseShortEdges(edgeLength, mesh);
-  FlipEdges(mesh);
-  RefineEdges(edgeLength, mesh);
-  CollapseShortEdges(edgeLength, mesh);
-  FairSurface(EdgeWeights::Uniform, mesh);
-  SplitLongEdges(edgeLength, mesh);
-  CollapseShortEdges(edgeLength, mesh);
-  FlipEdges(mesh);
-  FairSurface(EdgeWeights::Cotangents, mesh);
-  return mesh;
+  const std::function<void()> steps[] = {
+    [&] { CollapseShortEdges(edgeLength, mesh); },
+    [&] { FlipEdges(mesh); },
+    [&] { RefineEdges(edgeLength, mesh); },
+    [&] { CollapseShortEdges(edgeLength, mesh); },
+    [&] { FairSurface(EdgeWeights::Uniform, mesh); },
+    [&] { SplitLongEdges(edgeLength, mesh); },
+    [&] { CollapseShortEdges(edgeLength, mesh); },
+    [&] { FlipEdges(mesh); },
+    [&] { FairSurface(EdgeWeights::Cotangents, mesh); },
+  };
+  double done = 0.0;
+  for (const auto& step : steps)
+  {
+    if (!execution.Continue(done / static_cast<double>(std::size(steps))))
+    {
+      return false;
+    }
+    step();
+    done += 1.0;
+  }
+  return execution.Continue(1.0);
+}
+
+/// Vertices closer than that to the line through the others show no shape, as a share of the least
+/// distance of planes: the surface itself is not known to more than ten times that.
+constexpr double ThinTolerance = 0.003;
+
+/// Leaves out vertices of closed contours.
+void ThinContours(double tolerance, PlaneContours& contours)
+{
+  PlaneContours thin;
+  std::vector<Point3> points;
+  std::vector<std::uint8_t> kept;
+  for (Index i = 0; i < contours.Count(); ++i)
+  {
+    points.clear();
+    for (Index v = contours.Offsets[i]; v < contours.Offsets[i + 1]; ++v)
+    {
+      points.push_back({ contours.U[v], contours.V[v], 0.0 });
+    }
+    points.push_back(points.front());
+    MarkKept(points, tolerance, kept);
+    kept.front() = 1;
+    const bool isSmall = std::count(kept.begin(), kept.end(), 1) < 3;
+    for (std::size_t v = 0; v + 1 < points.size(); ++v)
+    {
+      if (kept[v] || isSmall)
+      {
+        thin.AddVertex(points[v][0], points[v][1]);
+      }
+    }
+    thin.CloseContour();
+  }
+  contours = std::move(thin);
+}
+
+void ThinAll(double tolerance, const Execution& execution, std::vector<PlaneContours>& slices)
+{
+  execution.For(slices.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        ThinContours(tolerance, slices[i]);
+      }
+    });
 }
 
 void Append(const PlaneContours& drawn, int axis, double coordinate, Contours& contours)
@@ -42,31 +100,26 @@ void Append(const PlaneContours& drawn, int axis, double coordinate, Contours& c
     contours.Axis.push_back(static_cast<std::int8_t>(axis));
     contours.Coordinate.push_back(coordinate);
     contours.Cell.push_back(-1);
+    contours.Virtual.push_back(1);
   }
-}
 }
 
-Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches,
-  const SliceDensity& density, const Execution& execution)
+/// Patches need room beyond the contours, but must not leave the bounds of the real ones.
+void KeepWithin(const SpatialGrid& grid, std::vector<Point3>& points)
 {
-  Contours contours;
-  const SurfaceMesh mesh = MakeFairSurface(geometry, patches, density.EdgeLength(), execution);
-  TriangleSurface surface = SubdivideSurface(mesh);
-  if (CloseSurface(surface).Kind != SurfaceProblemKind::None)
-  {
-    return contours; // not reached: collapses, flips and splits keep it closed
-  }
-  const SpatialGrid& grid = geometry.Grid;
-  for (Point3& point : surface.Points)
+  for (Point3& point : points)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Patches need room beyond the contours, but must not leave the bounds of the real ones.
       const double room = 0.02 * grid.SpacingAtEnds[axis];
       point[axis] = grid.Round(
         std::max(grid.Lowest[axis] + room, std::min(grid.Highest[axis] - room, point[axis])));
     }
   }
+}
+
+Box3 BoxOf(const TriangleSurface& surface)
+{
   Box3 box;
   for (const auto& triangle : surface.Triangles)
   {
@@ -75,12 +128,35 @@ Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches
       box.Add(surface.Points[point]);
     }
   }
+  return box;
+}
+}
+
+Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches,
+  const SliceDensity& density, const Execution& execution)
+{
+  Contours contours;
+  SurfaceMesh mesh = MakeSurfaceMesh(geometry, patches, execution);
+  if (!MakeFair(density.EdgeLength(), execution, mesh))
+  {
+    return contours;
+  }
+  TriangleSurface surface = SubdivideSurface(mesh);
+  if (CloseSurface(surface).Kind != SurfaceProblemKind::None)
+  {
+    return contours; // not reached: collapses, flips and splits keep it closed
+  }
+  const SpatialGrid& grid = geometry.Grid;
+  KeepWithin(grid, surface.Points);
   const Precision precision = grid.SinglePrecision ? Precision::Single : Precision::Double;
-  const VirtualPlanes planes = ChooseVirtualPlanes(grid, box, density);
+  const VirtualPlanes planes = ChooseVirtualPlanes(grid, BoxOf(surface), density);
+  const double tolerance =
+    ThinTolerance * std::min({ density.Spacing(0), density.Spacing(1), density.Spacing(2) });
   for (int axis = 0; axis < 3; ++axis)
   {
-    const std::vector<PlaneContours> slices =
+    std::vector<PlaneContours> slices =
       SliceSurface(surface, axis, planes[axis], precision, execution);
+    ThinAll(tolerance, execution, slices);
     for (std::size_t i = 0; i < slices.size(); ++i)
     {
       Append(slices[i], axis, planes[axis][i], contours);

@@ -19,12 +19,14 @@ namespace orthoslices
  *   SubdivideSurface   four curved triangles for each, within the bounds of the grid
  *   SliceSurface       cut on the planes of ChooseVirtualPlanes
  *
- * Returns these contours alone: closed, with the interior on their left, of Cell -1 and without
- * Plane and Virtual, which are for the caller to set. They may cross each other where the smooth
- * surface crosses itself. None if no plane is to be added. REQUIRES: density.IsSparse().
+ * Returns these contours alone: closed, with the interior on their left, of Cell -1 and with Virtual
+ * set, without vertices that lie within 0.003 of the distance of planes of the line through the
+ * others; Plane is for the caller to find. They may cross each other where the smooth surface crosses
+ * itself. None if no plane is to be added. `execution` is asked between the steps whether to go on;
+ * if not, there are none. REQUIRES: density.IsSparse().
  *
  * Deterministic. The mesh has as many edges as EdgeLength asks for, besides what contours need to
- * keep their course; one sparse system of equations of its size is factorized a few times.
+ * keep their course; two sparse systems of equations of its size are solved, three times at most each.
  */
 Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches,
   const SliceDensity& density, const Execution& execution);
