@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Sparse/VirtualSlices.h"
 
-#include "Core/Graph/SimplifyArcs.h"
 #include "Core/Slicing/SliceSurface.h"
 #include "Core/Sparse/FairSurface.h"
 #include "Core/Sparse/RemeshSurface.h"
 #include "Core/Sparse/SubdivideSurface.h"
+#include "Core/Sparse/ThinContours.h"
 
 #include <algorithm>
 #include <functional>
@@ -48,45 +48,12 @@ bool MakeFair(double edgeLength, const Execution& execution, SurfaceMesh& mesh)
 /// distance of planes: the surface itself is not known to more than ten times that.
 constexpr double ThinTolerance = 0.003;
 
-/// Leaves out vertices of closed contours.
-void ThinContours(double tolerance, PlaneContours& contours)
+/// The planes of an axis, ascending: those of the grid and the virtual ones.
+std::vector<double> MergePlanes(const std::vector<double>& some, const std::vector<double>& others)
 {
-  PlaneContours thin;
-  std::vector<Point3> points;
-  std::vector<std::uint8_t> kept;
-  for (Index i = 0; i < contours.Count(); ++i)
-  {
-    points.clear();
-    for (Index v = contours.Offsets[i]; v < contours.Offsets[i + 1]; ++v)
-    {
-      points.push_back({ contours.U[v], contours.V[v], 0.0 });
-    }
-    points.push_back(points.front());
-    MarkKept(points, tolerance, kept);
-    kept.front() = 1;
-    const bool isSmall = std::count(kept.begin(), kept.end(), 1) < 3;
-    for (std::size_t v = 0; v + 1 < points.size(); ++v)
-    {
-      if (kept[v] || isSmall)
-      {
-        thin.AddVertex(points[v][0], points[v][1]);
-      }
-    }
-    thin.CloseContour();
-  }
-  contours = std::move(thin);
-}
-
-void ThinAll(double tolerance, const Execution& execution, std::vector<PlaneContours>& slices)
-{
-  execution.For(slices.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        ThinContours(tolerance, slices[i]);
-      }
-    });
+  std::vector<double> planes(some.size() + others.size());
+  std::merge(some.begin(), some.end(), others.begin(), others.end(), planes.begin());
+  return planes;
 }
 
 void Append(const PlaneContours& drawn, int axis, double coordinate, Contours& contours)
@@ -156,7 +123,17 @@ Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches
   {
     std::vector<PlaneContours> slices =
       SliceSurface(surface, axis, planes[axis], precision, execution);
-    ThinAll(tolerance, execution, slices);
+    const auto planesU = MergePlanes(grid.Planes[FirstAxis(axis)], planes[FirstAxis(axis)]);
+    const auto planesV = MergePlanes(grid.Planes[SecondAxis(axis)], planes[SecondAxis(axis)]);
+    execution.For(slices.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        ContourThinner thinner(tolerance, planesU, planesV);
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          slices[i] = thinner.Run(slices[i]);
+        }
+      });
     for (std::size_t i = 0; i < slices.size(); ++i)
     {
       Append(slices[i], axis, planes[axis][i], contours);
