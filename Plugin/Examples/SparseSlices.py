@@ -7,8 +7,8 @@ r"""Reconstruct an object from few slices, with and without virtual slices, and 
 The surface is cut into one stack of slices, the same stack with two long-axis slices across, and two
 families. Above, each cell between the slices is filled by itself (Virtual Slices: Off); below, the
 default: the surface bends as little as the contours allow, and virtual slices of it carry the shape
-from one slice to the next. ParaView needs a display; without one, put xvfb-run -a -s -noreset in
-front.
+from one slice to the next. Each of the two slices across, in the middle of x and y, has to meet the
+object. ParaView needs a display; without one, put xvfb-run -a -s -noreset in front.
 """
 
 import sys
