@@ -290,9 +290,13 @@ void CellPatcher::PatchCells()
   this->SeparatePatches();
 }
 
-/// The patches that were built last, and the components of the surface.
+/// The patches that were built last, unless they have been taken, and the components of the surface.
 void CellPatcher::TakePatches()
 {
+  if (!this->Separator)
+  {
+    return;
+  }
   SeparatedPatches separated = this->Separator->Take();
   this->Separator.reset();
   this->Result.SharedCells = separated.SharedCells;
@@ -373,10 +377,7 @@ void CellPatcher::Run()
     this->EmbedIsolatedContours();
     this->PatchCells();
   }
-  if (this->Separator)
-  {
-    this->TakePatches();
-  }
+  this->TakePatches();
   this->Result.DoubtfulCycles = static_cast<Index>(this->Unresolved.size());
 }
 }
