@@ -21,9 +21,13 @@
  * ExpectedGenus require. Contours without node points (*isolated*: tips and thin parts between the
  * other planes) are joined to what they continue, and end in domes.
  *
+ * Where slices are too few for that, with one stack, two families or a stack with a few slices
+ * across, the surface of the same topology that bends least between the contours is cut on *virtual*
+ * planes between the real ones, and the surface is made once more from all of them (VirtualSlices).
+ *
  * @section Inputs Inputs
  * Ports 0, 1 and 2 (vtkPolyData; at least one must be connected): contours on planes of constant
- * x, y and z. With one family all contours are isolated, and the filter joins parallel slices.
+ * x, y and z. With one family the filter joins parallel slices.
  * The planes may come in any order and spacing, with different numbers on each axis. Contours are
  * accepted as lines and polygons: closed polylines (first point repeated or not), polygons, open
  * pieces and loose two-point segments in any order and direction, and any mixture; vertices and
@@ -66,6 +70,11 @@
  *  - cell data "Repaired" (unsigned char): sum of 1 (a node point of the polygon disagrees by
  *    more than ReportTolerance), 2 (an arc was changed so that it crosses no other) and 4 (the
  *    patch was separated from another).
+ * Where there are virtual slices, their planes are planes of M like the real ones: "GridCell" and
+ * "SlicePlane" (ports 1, 3 and 4) number all of them in ascending order, and the numbers of node
+ * points, isolated contours and cells with several cycles count what is on them. All other numbers
+ * and tables are of the real slices alone, undecided places and histogram before virtual ones were
+ * added.
  *
  * Port 1, the graph G and the repairs (vtkPolyData): one vertex cell for each node point, one for
  * each repair, then one polyline for each arc, then one closed polyline for each isolated contour
@@ -191,6 +200,7 @@ public:
     NO_VIRTUAL_SLICES = 1,
     VIRTUAL_SLICES_BY_SPACING = 2
   };
+
   enum CorrespondenceMode
   {
     CORRESPOND_BY_EVIDENCE = 0,
@@ -277,15 +287,19 @@ public:
    * missing, and between slices that are far apart. First the surface is made from the slices as
    * they are; then the surface of the same topology that bends least between their contours is cut
    * on additional, virtual planes, and the surface is made once more from real and virtual slices.
-   * Real slices outrank virtual ones everywhere; the report counts real ones only, and an array
-   * "Virtual" tells them apart in the graph and in the table of slices. Should the topology come out
-   * otherwise, the first surface stays.
+   * Real slices outrank virtual ones everywhere: contours that meet no other real ones keep their
+   * vertices. The report is of real slices, and an array "Virtual" tells them from virtual ones in the
+   * graph and in the table of slices. Should the topology come out otherwise, the first surface
+   * stays, and there are no virtual slices in the outputs. None are added to a surface that is inside
+   * out.
    *
-   * Automatic (default): virtual planes are as far apart as the slices of the densest family, at
-   * most a twelfth and at least a 64th of the extent along their axis; three families of a dozen
-   * slices or more get none. Off: none. By spacing: as far apart as VirtualSliceSpacing says, in
-   * world units, wherever slices are farther apart than that. Valid range of the spacing: 0 (by
-   * the automatic rule) or more; default 0.
+   * Automatic (default): on the axes of missing families, and where a family has three times the
+   * planes of another and 8 or more, between planes of the other one that are farther apart than 0.117
+   * of the extent. Virtual planes are as far apart as the slices of the densest family, at most a
+   * twelfth and at least a 64th of the extent along their axis. Three families with about as many
+   * slices each get none. Off: none. By spacing: as far apart as VirtualSliceSpacing says, in world
+   * units, wherever slices are farther apart than 1.4 times that. Valid range of the spacing: 0 (as
+   * with Automatic) or more; default 0.
    */
   vtkSetClampMacro(VirtualSlices, int, AUTOMATIC_VIRTUAL_SLICES, VIRTUAL_SLICES_BY_SPACING);
   vtkGetMacro(VirtualSlices, int);

@@ -20,12 +20,13 @@ enum class CrossingContours
   LeaveOut ///< removed
 };
 
-/// Where slices are too few, others are made up between them; see Sparse/VirtualSlices.h.
+/// Where slices are too few, virtual ones are cut from the surface that bends least between them; see
+/// Sparse/VirtualSlices.h.
 enum class VirtualSlices
 {
   Automatic, ///< where they are needed, as SliceDensity says
   Off,
-  BySpacing ///< wherever slices are farther apart than VirtualSpacing
+  BySpacing ///< wherever slices are farther apart than 1.4 times VirtualSpacing
 };
 
 struct Options
@@ -46,7 +47,7 @@ struct Options
   double Smoothing = 0.0;        ///< of contours, in mean plane spacings; see SmoothContours
   double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
   VirtualSlices Virtual = VirtualSlices::Off;
-  double VirtualSpacing = 0.0; ///< with VirtualSlices::BySpacing, in world units
+  double VirtualSpacing = 0.0; ///< with BySpacing, in world units; 0: as with Automatic
   /// Smaller ones are left out, by the diagonal of their bounding box as a fraction of that of all
   /// contours.
   double MinIsolatedContour = 0.0;

@@ -37,7 +37,16 @@ namespace orthoslices
  *   FindUndecidedPlaces what the slices leave open, and where to slice next      (our own)
  *   EstimateNormals     normals of the surface along all contours                (our own)
  *   BuildInnerPatches   smooth patches, or the paper's                           (section 5)
- *   WriteTriangles      all patches as triangles                                 (section 5)
+ *   LayOutTriangles     all patches as triangles                                 (section 5)
+ *
+ * Where slices are too few (Options::Virtual, SliceDensity), what they make is a first surface only,
+ * whose patches are fans:
+ *
+ *   MakeVirtualSlices   the fair surface of its topology, cut on virtual planes  (our own)
+ *
+ * and all stages from RegisterCrossings on run once more, with real and virtual contours. The second
+ * surface is the result if it has as many components and handles as the first one; otherwise the
+ * first one is, and its cycles are filled again, as Options::Patching says. Repairs and agreement are those of the real slices in any case.
  *
  * Filters/Core/README.md has the data between the stages, the sampling condition, and the arguments
  * for the guarantees, which hold for every input that is not refused:
@@ -54,7 +63,7 @@ namespace orthoslices
  *   G7  Bounded: nothing leaves the box around all contours by more than half the spacing of the
  *       slices (SpacingAtEnds) along any axis.
  *
- * `observer` is called after each stage.
+ * `observer` is called after each stage, in both passes.
  */
 Reconstruction Reconstruct(std::array<Pieces, 3>&& pieces, const Options& options,
   const Execution& execution, const StageObserver& observer = {});

@@ -76,7 +76,7 @@ Index CountLeftOut(const Reconstruction& result);
 Index CountRealNodes(
   const SpatialGrid& grid, const GridCrossings& crossings, const NodePoints& nodes);
 
-/// Number of node points at which the two contours are farther apart than the tolerance.
+/// Number of node points at which two contours of real slices are farther apart than the tolerance.
 Index CountDisagreements(const Reconstruction& result, double tolerance);
 }
 

@@ -12,6 +12,8 @@
 #   smooth.png          a knot with the paper's fans and with smooth patches
 #   convergence.png     how errors fall with the number of planes
 #   thin.png            a neuron thinner than the slices are apart, by discs and by evidence
+#   sparse.png          one stack, a stack with slices across, two families, with virtual slices and
+#                       without
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -48,5 +50,8 @@ draw pvpython Plugin/Examples/PlotConvergence.py "$scratch/convergence.csv" \
   "$pictures/convergence.png"
 echo "-- $pictures/thin.png"
 draw pvpython Plugin/Examples/ThinParts.py Data/neuron/n16_{x,y,z}.vtp "$pictures/thin.png" \
+  "$plugin" 1200
+echo "-- $pictures/sparse.png"
+draw pvpython Plugin/Examples/SparseSlices.py Data/heart/truth.vtp "$pictures/sparse.png" \
   "$plugin" 1200
 ls -l "$pictures"

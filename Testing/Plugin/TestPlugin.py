@@ -166,6 +166,12 @@ def check_parallel():
     slicer = simple.OrthogonalSlicer(Input=sphere())
     parallel = simple.ParallelSliceReconstruction(ZSlices=simple.OutputPort(slicer, 2))
     check_closed(fetch(parallel), components=1)
+    compare_defaults(parallel, {"VirtualSlices": "Automatic", "VirtualSliceSpacing": 0.0})
+    smooth = fetch(parallel)
+    parallel.VirtualSlices = "Off"
+    check_closed(fetch(parallel), components=1)
+    check(fetch(parallel).GetNumberOfPoints() != smooth.GetNumberOfPoints(), "no virtual slices")
+    parallel.VirtualSlices = "Automatic"
     parallel.Correspondence = "Spanning Tree"
     check_closed(fetch(parallel), components=1)
     parallel.ExpectedComponents = 2

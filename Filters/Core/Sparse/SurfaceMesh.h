@@ -12,14 +12,15 @@
 namespace orthoslices
 {
 /**
- * A reconstructed surface as a mesh whose points may move. The contours are curves on it: their
- * points are fixed. Each triangle is part of a patch and belongs to the patch's cell; the other
+ * A reconstructed surface as a mesh whose points may move, closed and oriented outwards (our own).
+ * The contours are curves on it: their points are fixed. Whatever else shall guide the surface can
+ * be fixed as well. Each triangle is part of a patch and belongs to the patch's cell; the other
  * points belong to the cell of their triangles, as curves separate the cells.
  *
  * Lengths and angles are those after a *stretch* of the directions within the slices, for one
- * family of slices: thin things between slices far apart, tubes and blades, look to it as wide as
- * the slices are apart. Without that the least bending would neither keep a tube's radius nor a
- * blade's edge between two slices.
+ * family of slices: thin things between slices far apart, tubes and blades, look to it about as wide
+ * as the slices are apart. Without that the least bending would neither keep a tube's radius nor a
+ * blade's edge between two slices. Points themselves are in world coordinates, not stretched.
  */
 struct SurfaceMesh
 {
@@ -28,7 +29,7 @@ struct SurfaceMesh
   std::vector<std::uint8_t> Fixed;  ///< of each point: lies on a contour
   std::vector<std::uint8_t> Crease; ///< of each point: the surface has an edge there
   std::vector<Index> Cell;          ///< of each triangle: its place in Cells
-  std::vector<Box3> Cells;          ///< where points may go, the margin of the grid taken off
+  std::vector<Box3> Cells; ///< of each patch: where its points may go, the grid's margin taken off
 
   int StretchAxis = -1;        ///< of the only family of slices; -1: nothing is stretched
   std::vector<double> Stretch; ///< of each point, at least 1
@@ -54,8 +55,18 @@ struct SurfaceMesh
   Index CellOf(Index point) const { return this->Cell[this->Corners.CornerAt(point) / 3]; }
 };
 
-/// The surface of `patches` with the arcs and loops of G as curves. Unbounded cells end half a mean
-/// spacing beyond the contours.
+/**
+ * The surface of `patches` with the arcs and loops of G as curves, whose points are fixed. Cells
+ * that are not bounded by planes end half a mean spacing beyond the contours, an extent being the
+ * spacing where there are fewer than two planes.
+ *
+ * With one family of slices, contours around a patch that is flatter than a fiftieth of the spacing
+ * become creases: the object ends flat. There, too, points of a contour are stretched by what makes
+ * its thickness (twice its area by its length: the radius of a circle) 0.85 of the mean spacing, or 3
+ * spacings at a crease, between 1 and 16 times; other points as the one beside them that is
+ * stretched most.
+ * REQUIRES: the patches are laid out as triangles.
+ */
 SurfaceMesh MakeSurfaceMesh(
   const CycleGeometry& geometry, const Patches& patches, const Execution& execution);
 }

@@ -15,20 +15,24 @@ using VirtualPlanes = std::array<std::vector<double>, 3>;
 
 /**
  * Where slices are too few for the cells between them to be small against the shape, and how far
- * apart planes have to be there. Extents are those of the box of all contours.
+ * apart planes have to be there (our own rules). Extents are those of the box of all contours.
  *
  * - Where a family is missing, its axis is sparse everywhere.
- * - An axis with less than a third of the planes of the densest one, such as that of a long-axis
- *   slice through a stack, is sparse in slabs that are wider than 1.4 twelfths of its extent, as a shape
- *   of some detail is seen by a dozen slices, and wider than 1.4 times the spacing of the densest one,
- *   as a flat object has few slices across although they are as close as all others. Between axes with about as many planes cells are about
- *   as long as wide, and patches from the contours around them are as good as any.
- * - But a stack of less than eight slices with a few across is not enough for a surface to bend from
- *   one to the next: there the slices across know better, and nothing is sparse.
+ * - An axis with at most a third of the planes of the densest one, such as that of a long-axis slice
+ *   through a stack, is sparse in slabs that are wider than 1.4 twelfths of its extent: a shape of
+ *   some detail is seen by a dozen slices; and wider than 1.4 times the spacing of the densest axis, as
+ *   a flat object has few slices across. Between axes with about as many planes cells are about as
+ *   long as wide, and patches from the contours around them are as good as any.
+ * - But a stack of less than eight slices with others across, at most a third as many, is not enough
+ *   for a surface to bend from one to the next: there the slices across know better, and nothing is
+ *   sparse.
  *
  * In sparse slabs, planes are to be as far apart as those of the densest axis, but at most a twelfth
  * and at least a 64th of the extent of their own axis, so that a fine stack does not multiply the
- * triangles by itself. `spacing` > 0 takes the place of all these rules, in world units.
+ * triangles by itself. `spacing` > 0, in world units, takes the place of all these rules: then an
+ * axis without planes is sparse, and so is each slab that is wider than 1.4 times `spacing`.
+ *
+ * REQUIRES: the grid has planes.
  */
 class SliceDensity
 {
@@ -37,11 +41,14 @@ public:
 
   /// Whether there is a sparse slab.
   bool IsSparse() const { return this->Sparse; }
-  /// How far apart planes have to be, along an axis.
+  /// How far apart planes have to be along an axis, in world units; 0 if the rules find nothing
+  /// sparse.
   double Spacing(int axis) const { return this->Target[axis]; }
-  /// How long the edges of a mesh may be that shows the same detail: by the longest axis.
+  /// How long the edges of a mesh may be that shows the same detail, in world units: half of the
+  /// spacing along the axis of the greatest extent.
   double EdgeLength() const;
-  /// The number of parts of a slab of this width.
+  /// The number of parts into which planes are to divide a slab of this width; 1 if it is not
+  /// sparse.
   int CountParts(int axis, double width) const;
 
 private:
@@ -53,8 +60,8 @@ private:
 
 /**
  * The planes to add between those of the grid, for a surface within the box `surface`: in each
- * sparse slab as many as divide it evenly. They keep a distance from the ends of the surface, where
- * its sections are points.
+ * sparse slab as many as divide it evenly, rounded as the grid says. The first and the last are half
+ * as far from the ends of the surface, where its sections are points, as they are from each other.
  */
 VirtualPlanes ChooseVirtualPlanes(
   const SpatialGrid& grid, const Box3& surface, const SliceDensity& density);

@@ -15,12 +15,18 @@ namespace orthoslices
  *
  *   MakeSurfaceMesh    the surface, with its contours as curves on it
  *   RemeshSurface      with triangles of about the same size
- *   FairSurface        bent as little as the contours and cells allow
+ *   FairSurface        bent as little as the contours and cells allow; then both once more
+ *   SubdivideSurface   four curved triangles for each, within the bounds of the grid
  *   SliceSurface       cut on the planes of ChooseVirtualPlanes
  *
- * The contours are closed, without vertices that show no shape, and have the interior on their
- * left; Contours::Virtual is set for all of them. They may cross each other where the smooth surface
- * crosses itself. `execution` is asked between the steps whether to go on; if not, there are none.
+ * Returns these contours alone: closed, with the interior on their left, of Cell -1 and with Virtual
+ * set, without vertices that lie within 0.003 of the distance of planes of the line through the
+ * others; Plane is for the caller to find. They may cross each other where the smooth surface crosses
+ * itself. None if no plane is to be added. `execution` is asked between the steps whether to go on;
+ * if not, there are none. REQUIRES: density.IsSparse().
+ *
+ * Deterministic. The mesh has as many edges as EdgeLength asks for, besides what contours need to
+ * keep their course; two sparse systems of equations of its size are solved, three times at most each.
  */
 Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches,
   const SliceDensity& density, const Execution& execution);
