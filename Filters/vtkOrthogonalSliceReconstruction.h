@@ -299,7 +299,7 @@ public:
    * twelfth and at least a 64th of the extent along their axis. Three families with about as many
    * slices each get none. Off: none. By spacing: as far apart as VirtualSliceSpacing says, in world
    * units, wherever slices are farther apart than 1.4 times that. Valid range of the spacing: 0 (as
-   * with Automatic) or more; default 0.
+   * with Automatic) or more, but for more than 1024 planes on an axis; default 0.
    */
   vtkSetClampMacro(VirtualSlices, int, AUTOMATIC_VIRTUAL_SLICES, VIRTUAL_SLICES_BY_SPACING);
   vtkGetMacro(VirtualSlices, int);

@@ -15,6 +15,7 @@
 #include "Core/Slices/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
 #include "Core/Sparse/MissingContours.h"
+#include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
 
 #include <algorithm>
@@ -95,27 +96,6 @@ std::vector<Repair> DescribeShells(const Reconstruction& result)
   return repairs;
 }
 
-Box3 BoxOf(const Contours& contours)
-{
-  Box3 box;
-  for (Index contour = 0; contour < contours.Count(); ++contour)
-  {
-    for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
-    {
-      box.Add(contours.World(contour, i));
-    }
-  }
-  return box;
-}
-
-/// Adds contours on virtual planes to real ones; BuildSpatialGrid finds their planes.
-void AddVirtual(const Contours& others, Contours& contours)
-{
-  contours.Virtual.resize(contours.Axis.size(), 0);
-  AppendContours(others, contours);
-  std::fill(contours.Virtual.end() - others.Count(), contours.Virtual.end(), std::uint8_t(1));
-}
-
 SliceDensity DensityOf(const Contours& contours, const SpatialGrid& grid, const Options& options)
 {
   return { grid, BoxOf(contours),
@@ -148,6 +128,9 @@ private:
   StageRunner(const StageRunner& first, Contours&& contours);
   bool MakeSurface();
   bool AddVirtualSlices();
+  bool BendStack();
+  bool Bend(const Reconstruction& base, std::vector<Point3>&& guides);
+  void ExpectTopologyOf(const Reconstruction& base);
   bool ReadContours(std::array<Pieces, 3>&& pieces);
   bool OrientSlices();
   bool MakeSlicesAgree();
@@ -173,15 +156,10 @@ private:
   Reconstruction Result;
 };
 
-/// For contours with those of virtual slices among them: the topology is that of the first surface,
-/// and so is what the report says of the input.
+/// For other contours of the same input: what the report says is that of the first surface.
 StageRunner::StageRunner(const StageRunner& first, Contours&& contours)
   : StageRunner(first.Settings, first.Execute, first.Observe)
 {
-  // Components that were too small are drawn nevertheless, and must not be joined to others instead.
-  const Index small = first.Result.SmallComponents;
-  this->Settings.Known = { first.Result.Topology.Components + small,
-    small > 0 ? -1 : first.Result.Topology.Genus };
   this->Tables.Tolerance = first.Tables.Tolerance;
   this->Tables.Contours = std::move(contours);
   this->Inserted = first.Inserted;
@@ -421,31 +399,72 @@ bool StageRunner::AddVirtualSlices()
     return true;
   }
   this->SetShare(0.5, 0.66);
+  const bool isDone = this->BendStack() || (!this->Result.Stopped && this->Bend(this->Result, {}));
+  return !this->Result.Stopped && (isDone || this->FillSketch());
+}
+
+/// Bends the surface of a stack through the contours of a few slices across: how the object hangs
+/// together, the stack says better than cells that are far longer than wide. False if there is no
+/// such stack, or no surface from it.
+bool StageRunner::BendStack()
+{
+  const SliceDensity density = DensityOf(this->Drawn, this->Result.Grid, this->Settings);
+  if (density.StackAxis() < 0)
+  {
+    return false;
+  }
+  StageRunner stack(*this, SelectAxis(this->Drawn, density.StackAxis(), true));
+  stack.Settings.Known = this->Settings.Known;
+  stack.Drawn = this->Drawn; // for the length of its edges
+  stack.SetShare(0.485, 0.5);
+  if (!stack.MakeSurface())
+  {
+    this->Result.Stopped = true;
+    return false;
+  }
+  return this->Bend(stack.Result,
+    SamplePoints(SelectAxis(this->Drawn, density.StackAxis(), false), density.EdgeLength()));
+}
+
+/// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
+/// there are none, or if the topology comes out another than that of `base`.
+bool StageRunner::Bend(const Reconstruction& base, std::vector<Point3>&& guides)
+{
   Execution execution = this->Execute;
   execution.Continue = [this](double progress) { return this->GoOn(progress); };
-  const Contours added = MakeVirtualSlices(GeometryOf(this->Result), this->Result.Surface,
-    DensityOf(this->Drawn, this->Result.Grid, this->Settings), execution);
+  const Contours added =
+    MakeVirtualSlices({ GeometryOf(base), base.Surface, this->Result.Grid, std::move(guides) },
+      DensityOf(this->Drawn, this->Result.Grid, this->Settings), execution);
   if (this->Result.Stopped || added.Count() == 0)
   {
-    return !this->Result.Stopped && this->FillSketch();
+    return false;
   }
   const std::vector<Index> leftOut = FindLeftOut(this->Result.Isolated, this->Tables.IsolatedParts);
-  RemoveContours(leftOut, this->Tables.IsolatedParts, this->Drawn);
-  AddVirtual(added, this->Drawn);
-  StageRunner again(*this, std::move(this->Drawn));
+  Contours contours = this->Drawn;
+  RemoveContours(leftOut, this->Tables.IsolatedParts, contours);
+  AddVirtual(added, contours);
+  StageRunner again(*this, std::move(contours));
+  again.ExpectTopologyOf(base);
   again.SetShare(0.48, 0.88); // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole
   if (!again.MakeSurface())
   {
     this->Result.Stopped = true;
     return false;
   }
-  if (!(again.Result.Topology == this->Result.Topology))
+  if (!(again.Result.Topology == base.Topology))
   {
-    return this->FillSketch();
+    return false;
   }
   TakeReport(this->Result, leftOut, again.Result);
   this->Result = std::move(again.Result);
   return true;
+}
+
+/// Components that were too small are drawn nevertheless, and must not be joined to others instead.
+void StageRunner::ExpectTopologyOf(const Reconstruction& base)
+{
+  const Index small = base.SmallComponents;
+  this->Settings.Known = { base.Topology.Components + small, small > 0 ? -1 : base.Topology.Genus };
 }
 
 Reconstruction StageRunner::Run(std::array<Pieces, 3>&& pieces)
@@ -455,56 +474,6 @@ Reconstruction StageRunner::Run(std::array<Pieces, 3>&& pieces)
     this->MakeSurface() && this->AddVirtualSlices());
   return std::move(this->Result);
 }
-}
-
-const char* NameOf(Stage stage)
-{
-  switch (stage)
-  {
-    case Stage::AssembleContours:
-      return "AssembleContours";
-    case Stage::OrientContours:
-      return "OrientContours";
-    case Stage::SmoothContours:
-      return "SmoothContours";
-    case Stage::RegisterCrossings:
-      return "RegisterCrossings";
-    case Stage::ReconcileSlices:
-      return "ReconcileSlices";
-    case Stage::PairNodePoints:
-      return "PairNodePoints";
-    case Stage::BuildNodeGraph:
-      return "BuildNodeGraph";
-    case Stage::MeasureAgreement:
-      return "MeasureAgreement";
-    case Stage::ThinArcs:
-      return "ThinArcs";
-    case Stage::EmbedArcs:
-      return "EmbedArcs";
-    case Stage::EmbedIsolated:
-      return "EmbedIsolated";
-    case Stage::TraceCycles:
-      return "TraceCycles";
-    case Stage::StitchSlabs:
-      return "StitchSlabs";
-    case Stage::LocateCentralPoints:
-      return "LocateCentralPoints";
-    case Stage::FindJoins:
-      return "FindJoins";
-    case Stage::SeparatePatches:
-      return "SeparatePatches";
-    case Stage::MeasureTopology:
-      return "MeasureTopology";
-    case Stage::FindUndecidedPlaces:
-      return "FindUndecidedPlaces";
-    case Stage::EstimateNormals:
-      return "EstimateNormals";
-    case Stage::BuildInnerPatches:
-      return "BuildInnerPatches";
-    case Stage::LayOutTriangles:
-      return "LayOutTriangles";
-  }
-  return "";
 }
 
 Reconstruction Reconstruct(std::array<Pieces, 3>&& pieces, const Options& options,

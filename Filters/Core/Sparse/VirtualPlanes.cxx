@@ -14,6 +14,8 @@ namespace
 constexpr double FewPlanes = 12.0;
 /// More virtual planes than this on one axis cost more than they show.
 constexpr double ManyPlanes = 64.0;
+/// And a spacing that was given gets no more than so many.
+constexpr double MostPlanes = 1024.0;
 /// A slab is divided if its halves are not much narrower than wanted.
 constexpr double WideSlab = 1.4;
 /// An axis has few planes if another one has so many times more.
@@ -52,6 +54,24 @@ bool NeedsMore(const SpatialGrid& grid)
 }
 }
 
+namespace
+{
+/// The axis with at least FewAgainstMany times as many planes as all others together, if they have
+/// any, and EnoughPlanes; -1 if there is none.
+int FindStack(const SpatialGrid& grid)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Index across = grid.Count(FirstAxis(axis)) + grid.Count(SecondAxis(axis));
+    if (across > 0 && grid.Count(axis) >= std::max(EnoughPlanes, FewAgainstMany * across))
+    {
+      return axis;
+    }
+  }
+  return -1;
+}
+}
+
 SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double spacing)
   : Wide{ Infinity, Infinity, Infinity }
 {
@@ -61,17 +81,19 @@ SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double
   {
     return;
   }
+  this->Stack = FindStack(grid);
   const double densest = DensestSpacing(grid);
   const Index most = std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
   for (int axis = 0; axis < 3; ++axis)
   {
+    const double given = std::max(spacing, extent[axis] / MostPlanes);
     this->Target[axis] = spacing > 0.0
-      ? spacing
+      ? given
       : std::clamp(densest, extent[axis] / ManyPlanes, extent[axis] / FewPlanes);
     if (spacing > 0.0 || grid.Count(axis) * FewAgainstMany <= most)
     {
       this->Wide[axis] =
-        WideSlab * (spacing > 0.0 ? spacing : std::max(densest, extent[axis] / FewPlanes));
+        WideSlab * (spacing > 0.0 ? given : std::max(densest, extent[axis] / FewPlanes));
     }
     const auto& planes = grid.Planes[axis];
     this->Sparse |= planes.empty();

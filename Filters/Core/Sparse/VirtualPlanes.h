@@ -39,6 +39,8 @@ class SliceDensity
 public:
   SliceDensity(const SpatialGrid& grid, const Box3& contours, double spacing = 0.0);
 
+  /// The axis of a stack that has a few slices across; -1 if this is none.
+  int StackAxis() const { return this->Stack; }
   /// Whether there is a sparse slab.
   bool IsSparse() const { return this->Sparse; }
   /// How far apart planes have to be along an axis, in world units; 0 if the rules find nothing
@@ -55,6 +57,7 @@ private:
   Point3 Target{};
   Point3 Wide; ///< slabs up to that width stay as they are
   int Longest = 0;
+  int Stack = -1;
   bool Sparse = false;
 };
 

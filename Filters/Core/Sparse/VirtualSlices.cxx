@@ -4,6 +4,7 @@
 
 #include "Core/Slicing/SliceSurface.h"
 #include "Core/Sparse/FairSurface.h"
+#include "Core/Sparse/GuideSurface.h"
 #include "Core/Sparse/RemeshSurface.h"
 #include "Core/Sparse/SubdivideSurface.h"
 #include "Core/Sparse/ThinContours.h"
@@ -17,8 +18,12 @@ namespace orthoslices
 {
 namespace
 {
+/// Surfaces that are farther from a guide, in edges, are taken for others.
+constexpr double ReachOfGuides = 3.0;
+
 /// Makes the surface a mesh of equal triangles, bent as little as possible. False if stopped.
-bool MakeFair(double edgeLength, const Execution& execution, SurfaceMesh& mesh)
+bool MakeFair(const std::vector<Point3>& guides, double edgeLength, const Execution& execution,
+  SurfaceMesh& mesh)
 {
   const std::function<void()> steps[] = {
     [&] { CollapseShortEdges(edgeLength, mesh); },
@@ -26,6 +31,7 @@ bool MakeFair(double edgeLength, const Execution& execution, SurfaceMesh& mesh)
     [&] { RefineEdges(edgeLength, mesh); },
     [&] { CollapseShortEdges(edgeLength, mesh); },
     [&] { FairSurface(EdgeWeights::Uniform, mesh); },
+    [&] { GuideSurface(guides, ReachOfGuides * edgeLength, mesh); },
     [&] { SplitLongEdges(edgeLength, mesh); },
     [&] { CollapseShortEdges(edgeLength, mesh); },
     [&] { FlipEdges(mesh); },
@@ -99,12 +105,12 @@ Box3 BoxOf(const TriangleSurface& surface)
 }
 }
 
-Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches,
-  const SliceDensity& density, const Execution& execution)
+Contours MakeVirtualSlices(
+  const FairSource& source, const SliceDensity& density, const Execution& execution)
 {
   Contours contours;
-  SurfaceMesh mesh = MakeSurfaceMesh(geometry, patches, execution);
-  if (!MakeFair(density.EdgeLength(), execution, mesh))
+  SurfaceMesh mesh = MakeSurfaceMesh(source.Geometry, source.Surface, execution);
+  if (!MakeFair(source.Guides, density.EdgeLength(), execution, mesh))
   {
     return contours;
   }
@@ -113,7 +119,7 @@ Contours MakeVirtualSlices(const CycleGeometry& geometry, const Patches& patches
   {
     return contours; // not reached: collapses, flips and splits keep it closed
   }
-  const SpatialGrid& grid = geometry.Grid;
+  const SpatialGrid& grid = source.Grid;
   KeepWithin(grid, surface.Points);
   const Precision precision = grid.SinglePrecision ? Precision::Single : Precision::Double;
   const VirtualPlanes planes = ChooseVirtualPlanes(grid, BoxOf(surface), density);

@@ -29,8 +29,9 @@ struct Sliced
     {
       box.Add(this->First.Graph.PointAt(i));
     }
-    this->Virtual = MakeVirtualSlices(
-      GeometryOf(this->First), this->First.Surface, SliceDensity(this->First.Grid, box), execution);
+    this->Virtual =
+      MakeVirtualSlices({ GeometryOf(this->First), this->First.Surface, this->First.Grid, {} },
+        SliceDensity(this->First.Grid, box), execution);
   }
 
   Reconstruction First;
