@@ -189,8 +189,11 @@ void GraphBuilder::Fade(Index arc, double* begin, double* end) const
     const double second = share * atEnd.At(point);
     point[atStart.Axis] += first;
     point[atEnd.Axis] += second;
-    point[atStart.Axis] = this->Grid.Round(point[atStart.Axis]);
-    point[atEnd.Axis] = this->Grid.Round(point[atEnd.Axis]);
+    for (const int axis : { atStart.Axis, atEnd.Axis })
+    {
+      // An outermost edge has no end at which points would stay.
+      point[axis] = this->Grid.MoveIntoBounds(axis, point[axis]);
+    }
   }
 }
 
