@@ -488,6 +488,7 @@ std::vector<std::vector<char>> BytesOf(vtkPolyData* surface)
 double VolumeOfFans(const PieceSets& sets)
 {
   SparseRun run(sets);
+  run.Filter->SetVirtualSlicesToOff(); // of the patches between the slices that there are
   run.Filter->SetPatchTypeToFan();
   return CheckSurface(MeshOf(run.Update())).TotalVolume();
 }
