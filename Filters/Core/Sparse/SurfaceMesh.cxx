@@ -80,11 +80,13 @@ double ThicknessOfLoop(const NodeGraph& graph, Index loop)
   const Index count = graph.PointCount(arc);
   double area = 0.0;
   double length = 0.0;
+  // From a point of its own: small loops may lie far from the origin.
+  const Point3 first = graph.PointAt(graph.FirstPoint(arc));
   for (Index i = 0; i < count; ++i)
   {
     const Point3 p = graph.PointAt(graph.FirstPoint(arc) + i);
     const Point3 q = graph.PointAt(graph.FirstPoint(arc) + (i + 1) % count);
-    area += 0.5 * Cross(p, q)[axis];
+    area += 0.5 * Cross(p - first, q - first)[axis];
     length += Length(q - p);
   }
   return 2.0 * std::abs(area) / length;
