@@ -118,6 +118,7 @@ void TakeReport(
   {
     result.Members.Plane[i] = numberOf(result.Members.Axis[i], result.Members.Plane[i]);
   }
+  result.RealDifferences = first.Nodes.Difference;
   result.Agreement.OfContour = first.Agreement.OfContour;
   for (int axis = 0; axis < 3; ++axis)
   {

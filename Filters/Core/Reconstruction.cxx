@@ -3,6 +3,7 @@
 #include "Core/Reconstruction.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace orthoslices
 {
@@ -37,11 +38,9 @@ Index CountRealNodes(
 
 Index CountDisagreements(const Reconstruction& result, double tolerance)
 {
-  Index count = 0;
-  for (Index node = 0; node < result.Nodes.Count(); ++node)
-  {
-    count += result.Nodes.Disagreement(node) > tolerance ? 1 : 0;
-  }
-  return count;
+  const std::vector<double>& differences =
+    result.RealDifferences.empty() ? result.Nodes.Difference : result.RealDifferences;
+  return static_cast<Index>(std::count_if(differences.begin(), differences.end(),
+    [&](double difference) { return std::abs(difference) > tolerance; }));
 }
 }

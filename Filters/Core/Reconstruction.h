@@ -65,6 +65,8 @@ struct Reconstruction
   std::vector<Repair> Repairs; ///< of all stages, without those of virtual slices
   SliceAgreement Agreement;
   ContourList Members; ///< of Agreement.OfContour
+  /// NodePoints::Difference before there were virtual slices, whose planes divide edges; else empty.
+  std::vector<double> RealDifferences;
 };
 
 CycleGeometry GeometryOf(const Reconstruction& result);
