@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/RealSlices.h"
 
+#include "Core/Base/EditContours.h"
+
 #include <algorithm>
 
 namespace orthoslices
@@ -14,29 +16,6 @@ Index NumberOf(const SpatialGrid& from, const SpatialGrid& to, int axis, Index p
   const std::vector<double>& planes = to.Planes[axis];
   return static_cast<Index>(
     std::lower_bound(planes.begin(), planes.end(), from.Planes[axis][plane]) - planes.begin());
-}
-
-/// The contours that are not removed.
-Contours SelectContours(const Contours& contours, const std::vector<std::uint8_t>& isRemoved)
-{
-  Contours result;
-  for (Index contour = 0; contour < contours.Count(); ++contour)
-  {
-    if (isRemoved[contour])
-    {
-      continue;
-    }
-    const Index begin = contours.Offsets[contour], end = contours.Offsets[contour + 1];
-    result.U.insert(result.U.end(), contours.U.begin() + begin, contours.U.begin() + end);
-    result.V.insert(result.V.end(), contours.V.begin() + begin, contours.V.begin() + end);
-    result.Offsets.push_back(static_cast<Index>(result.U.size()));
-    result.Axis.push_back(contours.Axis[contour]);
-    result.Coordinate.push_back(contours.Coordinate[contour]);
-    result.Plane.push_back(contours.Plane[contour]);
-    result.Cell.push_back(contours.Cell[contour]);
-  }
-  result.Virtual.assign(contours.Virtual.empty() ? 0 : result.Axis.size(), 0);
-  return result;
 }
 
 /// Lists contours of the first surface that take no part in either.
@@ -83,7 +62,6 @@ void RemoveContours(
     planes.resize(std::max<std::size_t>(planes.size(), contours.Plane[contour] + 1), 0);
     ++planes[contours.Plane[contour]];
   }
-  bool changed = false;
   for (const Index i : leftOut)
   {
     const Index contour = parts[i].Contour;
@@ -91,14 +69,10 @@ void RemoveContours(
     if (left > 1)
     {
       isRemoved[contour] = 1;
-      changed = true;
       --left;
     }
   }
-  if (changed)
-  {
-    contours = SelectContours(contours, isRemoved);
-  }
+  RemoveMarked(isRemoved, contours);
 }
 
 void TakeReport(

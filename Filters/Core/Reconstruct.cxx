@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Reconstruct.h"
 
-#include "Core/Base/Box.h"
+#include "Core/Base/EditContours.h"
 #include "Core/Cells/DoubtfulJoins.h"
 #include "Core/CheckInvariants.h"
 #include "Core/Crossings/NodeNormals.h"
@@ -150,6 +150,7 @@ private:
   const StageObserver& Observe;
   StageTables Tables;
   std::vector<Repair> Inserted; ///< contours that slices lack
+  SliceDensity Density;         ///< of the contours; not sparse where that is not asked for
   Contours Drawn;               ///< a copy of the contours, where they are too few
   std::vector<double> Centers;  ///< the central points before Sketch
   double From = 0.0, To = 1.0;  ///< progress of the whole at 0 and 1 of the part at work
@@ -261,8 +262,11 @@ bool StageRunner::OrientSlices()
   }
   SmoothContours(
     result.Grid, options.Smoothing, options.Patching.CornerAngle, this->Execute, contours);
-  if (options.Virtual != VirtualSlices::Off && !result.InsideOut &&
-    DensityOf(contours, result.Grid, options).IsSparse())
+  if (options.Virtual != VirtualSlices::Off && !result.InsideOut)
+  {
+    this->Density = DensityOf(contours, result.Grid, options);
+  }
+  if (this->Density.IsSparse())
   {
     this->Drawn = contours;
     // Two surfaces are made of them: 0.35 to 0.8 of the first one is 0.35 to 0.485 of the whole.
@@ -368,9 +372,8 @@ bool StageRunner::FillCycles(const PatchOptions& patching)
 bool StageRunner::Sketch()
 {
   PatchOptions patching = this->Settings.Patching;
-  const SpatialGrid& grid = this->Result.Grid;
-  const double edgeLength = DensityOf(this->Drawn, grid, this->Settings).EdgeLength();
-  patching.EdgeLength = std::max(patching.EdgeLength, edgeLength / MinMeanSpacing(grid));
+  patching.EdgeLength =
+    std::max(patching.EdgeLength, this->Density.EdgeLength() / MinMeanSpacing(this->Result.Grid));
   this->Centers = this->Result.Surface.CentralPoints;
   return this->FillCycles(patching);
 }
@@ -386,7 +389,7 @@ bool StageRunner::FillSketch()
 bool StageRunner::MakeSurface()
 {
   return this->MakeSlicesAgree() && this->BuildGraph() && this->PatchCells() &&
-    (this->Drawn.Count() > 0 ? this->Sketch() : this->FillCycles(this->Settings.Patching));
+    (this->Density.IsSparse() ? this->Sketch() : this->FillCycles(this->Settings.Patching));
 }
 
 /// Where slices are few, the surface bends from one to the next as little as it can, and is cut on
@@ -394,7 +397,7 @@ bool StageRunner::MakeSurface()
 /// not have the same topology, the first surface stays.
 bool StageRunner::AddVirtualSlices()
 {
-  if (this->Drawn.Count() == 0)
+  if (!this->Density.IsSparse())
   {
     return true;
   }
@@ -408,22 +411,22 @@ bool StageRunner::AddVirtualSlices()
 /// such stack, or no surface from it.
 bool StageRunner::BendStack()
 {
-  const SliceDensity density = DensityOf(this->Drawn, this->Result.Grid, this->Settings);
-  if (density.StackAxis() < 0)
+  const int axis = this->Density.StackAxis();
+  if (axis < 0)
   {
     return false;
   }
-  StageRunner stack(*this, SelectAxis(this->Drawn, density.StackAxis(), true));
+  StageRunner stack(*this, SelectAxis(this->Drawn, axis, true));
   stack.Settings.Known = this->Settings.Known;
-  stack.Drawn = this->Drawn; // for the length of its edges
+  stack.Density = this->Density;
   stack.SetShare(0.485, 0.5);
   if (!stack.MakeSurface())
   {
     this->Result.Stopped = true;
     return false;
   }
-  return this->Bend(stack.Result,
-    SamplePoints(SelectAxis(this->Drawn, density.StackAxis(), false), density.EdgeLength()));
+  return this->Bend(
+    stack.Result, SamplePoints(SelectAxis(this->Drawn, axis, false), this->Density.EdgeLength()));
 }
 
 /// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
@@ -434,7 +437,7 @@ bool StageRunner::Bend(const Reconstruction& base, std::vector<Point3>&& guides)
   execution.Continue = [this](double progress) { return this->GoOn(progress); };
   const Contours added =
     MakeVirtualSlices({ GeometryOf(base), base.Surface, this->Result.Grid, std::move(guides) },
-      DensityOf(this->Drawn, this->Result.Grid, this->Settings), execution);
+      this->Density, execution);
   if (this->Result.Stopped || added.Count() == 0)
   {
     return false;

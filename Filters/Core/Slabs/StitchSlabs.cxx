@@ -12,19 +12,6 @@ namespace orthoslices
 {
 namespace
 {
-/// The axis of the only family of slices; -1 if there are none or several.
-int FindOnlyFamily(const SpatialGrid& grid)
-{
-  int families = 0;
-  int axis = -1;
-  for (int i = 0; i < 3; ++i)
-  {
-    families += grid.Count(i) > 0 ? 1 : 0;
-    axis = grid.Count(i) > 0 ? i : axis;
-  }
-  return families == 1 ? axis : -1;
-}
-
 std::vector<PatchMesh> BuildPatches(const SlabSource& source, const Execution& execution)
 {
   std::vector<std::vector<PatchMesh>> ofGroup(source.Groups.size());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Slices/OrientContours.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/Base/Predicates.h"
 #include "Core/Planar/SegmentTree.h"
 
@@ -223,32 +224,6 @@ void SliceOrienter::OrientByNesting(const Slice& slice)
     std::reverse(this->Set.U.begin() + begin, this->Set.U.begin() + end);
     std::reverse(this->Set.V.begin() + begin, this->Set.V.begin() + end);
   }
-}
-
-void RemoveMarked(const std::vector<std::uint8_t>& marked, Contours& contours)
-{
-  Contours kept;
-  for (Index i = 0; i < contours.Count(); ++i)
-  {
-    if (marked[i])
-    {
-      continue;
-    }
-    const Index begin = contours.Offsets[i];
-    const Index end = contours.Offsets[i + 1];
-    kept.U.insert(kept.U.end(), contours.U.begin() + begin, contours.U.begin() + end);
-    kept.V.insert(kept.V.end(), contours.V.begin() + begin, contours.V.begin() + end);
-    kept.Offsets.push_back(static_cast<Index>(kept.U.size()));
-    kept.Axis.push_back(contours.Axis[i]);
-    kept.Coordinate.push_back(contours.Coordinate[i]);
-    kept.Plane.push_back(contours.Plane[i]);
-    kept.Cell.push_back(contours.Cell[i]);
-    if (!contours.Virtual.empty())
-    {
-      kept.Virtual.push_back(contours.Virtual[i]);
-    }
-  }
-  contours = std::move(kept);
 }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Slices/SpatialGrid.h"
 
-#include "Core/Base/Box.h"
+#include "Core/Base/EditContours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,6 +56,18 @@ void SpatialGrid::GetExtent(
   }
   low = slab > 0 ? planes[slab - 1] : this->Round(minimum - beyond);
   high = slab < this->Count(axis) ? planes[slab] : this->Round(maximum + beyond);
+}
+
+int FindOnlyFamily(const SpatialGrid& grid)
+{
+  int families = 0;
+  int axis = -1;
+  for (int i = 0; i < 3; ++i)
+  {
+    families += grid.Count(i) > 0 ? 1 : 0;
+    axis = grid.Count(i) > 0 ? i : axis;
+  }
+  return families == 1 ? axis : -1;
 }
 
 double MinMeanSpacing(const SpatialGrid& grid)
@@ -140,27 +152,6 @@ void DropFlagsOfReal(SpatialGrid& grid)
 
 namespace
 {
-/// The box around all contours, or around those of real planes.
-Box3 FindBox(const Contours& contours, bool withVirtual)
-{
-  Box3 box;
-  for (Index i = 0; i < contours.Count(); ++i)
-  {
-    if (!withVirtual && contours.IsVirtual(i))
-    {
-      continue;
-    }
-    const int axis = contours.Axis[i];
-    box.Add(axis, contours.Coordinate[i]);
-    for (Index v = contours.Offsets[i]; v < contours.Offsets[i + 1]; ++v)
-    {
-      box.Add(FirstAxis(axis), contours.U[v]);
-      box.Add(SecondAxis(axis), contours.V[v]);
-    }
-  }
-  return box;
-}
-
 /// Sets the steps of the precision and the extents from the box around all contours.
 void FindExtent(const Box3& box, SpatialGrid& grid)
 {
@@ -249,7 +240,7 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
 {
   SpatialGrid grid;
   grid.SinglePrecision = singlePrecision;
-  const Box3 box = FindBox(contours, true);
+  const Box3 box = BoxOf(contours);
   if (contours.Count() > 0)
   {
     FindExtent(box, grid);
@@ -280,7 +271,7 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
     }
   }
   DropFlagsOfReal(grid);
-  SetBounds(FindBox(contours, false), box, grid);
+  SetBounds(BoxOf(contours, false), box, grid);
   return grid;
 }
 }

@@ -172,6 +172,9 @@ struct SpatialGrid
   }
 };
 
+/// The axis of the only family of slices; -1 if there are none or several.
+int FindOnlyFamily(const SpatialGrid& grid);
+
 /// The least mean spacing of the planes of an axis, of those that have two or more of them.
 double MinMeanSpacing(const SpatialGrid& grid);
 

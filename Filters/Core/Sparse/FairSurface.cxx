@@ -24,14 +24,9 @@ struct Operator
 /// Weight of the edge of a corner, as seen from its triangle.
 double HalfWeight(const SurfaceMesh& mesh, Index corner)
 {
-  const Index apex = mesh.Corners.VertexOf(corner);
-  const Point3 u = mesh.Edge(apex, mesh.Corners.StartOf(corner));
-  const Point3 v = mesh.Edge(apex, mesh.Corners.EndOf(corner));
-  const double area = Length(Cross(u, v));
   // Angles of less than 3 degrees say nothing about the surface.
   constexpr double largest = 20.0;
-  const double scale = std::max(area, 1e-300);
-  return std::clamp(0.5 * Dot(u, v) / scale, -largest, largest);
+  return std::clamp(0.5 * mesh.Cotangent(corner), -largest, largest);
 }
 
 Operator MakeOperator(EdgeWeights weights, const SurfaceMesh& mesh)

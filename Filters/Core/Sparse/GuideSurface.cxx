@@ -9,7 +9,12 @@ namespace orthoslices
 void GuideSurface(const std::vector<Point3>& guides, double reach, SurfaceMesh& mesh)
 {
   const std::vector<Point3> before = mesh.Points;
-  std::vector<double> nearest(mesh.Points.size(), std::numeric_limits<double>::infinity());
+  // Squared distance of the guide that a point has moved to; fixed points take none.
+  std::vector<double> nearest;
+  for (const std::uint8_t isFixed : mesh.Fixed)
+  {
+    nearest.push_back(isFixed ? 0.0 : std::numeric_limits<double>::infinity());
+  }
   for (const Point3& guide : guides)
   {
     double least = reach * reach;
@@ -23,8 +28,7 @@ void GuideSurface(const std::vector<Point3>& guides, double reach, SurfaceMesh& 
         found = point;
       }
     }
-    if (found >= 0 && least < nearest[found] &&
-      (!mesh.Fixed[found] || nearest[found] < std::numeric_limits<double>::infinity()))
+    if (found >= 0 && least < nearest[found])
     {
       nearest[found] = least;
       mesh.Points[found] = guide;

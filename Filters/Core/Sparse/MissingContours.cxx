@@ -302,25 +302,4 @@ MissingContours FindMissingContours(const Contours& contours, const SpatialGrid&
   }
   return missing;
 }
-
-void AppendContours(const Contours& added, Contours& contours)
-{
-  const Index first = contours.Offsets.back();
-  const auto append = [](const auto& from, auto& to)
-  { to.insert(to.end(), from.begin(), from.end()); };
-  append(added.U, contours.U);
-  append(added.V, contours.V);
-  append(added.Axis, contours.Axis);
-  append(added.Coordinate, contours.Coordinate);
-  append(added.Plane, contours.Plane);
-  append(added.Cell, contours.Cell);
-  for (Index i = 0; i < added.Count(); ++i)
-  {
-    contours.Offsets.push_back(first + added.Offsets[i + 1]);
-  }
-  if (!contours.Virtual.empty())
-  {
-    contours.Virtual.resize(contours.Axis.size(), 0);
-  }
-}
 }

@@ -36,9 +36,6 @@ struct MissingContours
   std::vector<Repair> Repairs;
 };
 MissingContours FindMissingContours(const Contours& contours, const SpatialGrid& grid);
-
-/// Adds contours to others.
-void AppendContours(const Contours& added, Contours& contours);
 }
 
 #endif

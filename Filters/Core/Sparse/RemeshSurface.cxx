@@ -102,23 +102,11 @@ void SplitEdge(Index corner, SurfaceMesh& mesh)
   mesh.Corners.Split(corner);
 }
 
-double Cotangent(const SurfaceMesh& mesh, Index apex, Index a, Index b)
-{
-  const Point3 u = mesh.Edge(apex, a);
-  const Point3 v = mesh.Edge(apex, b);
-  return Dot(u, v) / std::max(Length(Cross(u, v)), 1e-300);
-}
-
 bool IsDelaunay(const SurfaceMesh& mesh, Index corner)
 {
-  const CornerTable& corners = mesh.Corners;
-  const Index a = corners.StartOf(corner);
-  const Index b = corners.EndOf(corner);
-  const Index c = corners.VertexOf(corner);
-  const Index d = corners.VertexOf(corners.OppositeOf(corner));
   // A little more than nothing, so that four points on a circle do not flip for ever.
   constexpr double enough = -1e-9;
-  return Cotangent(mesh, c, a, b) + Cotangent(mesh, d, a, b) >= enough;
+  return mesh.Cotangent(corner) + mesh.Cotangent(mesh.Corners.OppositeOf(corner)) >= enough;
 }
 
 /// The shortest edges collapse first, in classes that are half as long as the next one, so that no

@@ -2,23 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Sparse/SelectContours.h"
 
-#include "Core/Sparse/MissingContours.h"
+#include "Core/Base/EditContours.h"
+
+#include <algorithm>
 
 namespace orthoslices
 {
-Box3 BoxOf(const Contours& contours)
-{
-  Box3 box;
-  for (Index contour = 0; contour < contours.Count(); ++contour)
-  {
-    for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
-    {
-      box.Add(contours.World(contour, i));
-    }
-  }
-  return box;
-}
-
 void AddVirtual(const Contours& others, Contours& contours)
 {
   contours.Virtual.resize(contours.Axis.size(), 0);
@@ -28,21 +17,13 @@ void AddVirtual(const Contours& others, Contours& contours)
 
 Contours SelectAxis(const Contours& contours, int axis, bool ofAxis)
 {
-  Contours chosen;
-  for (Index contour = 0; contour < contours.Count(); ++contour)
+  std::vector<std::uint8_t> isOther;
+  for (const std::int8_t of : contours.Axis)
   {
-    if ((contours.Axis[contour] == axis) != ofAxis)
-    {
-      continue;
-    }
-    const Index first = contours.Offsets[contour], last = contours.Offsets[contour + 1];
-    chosen.U.insert(chosen.U.end(), contours.U.begin() + first, contours.U.begin() + last);
-    chosen.V.insert(chosen.V.end(), contours.V.begin() + first, contours.V.begin() + last);
-    chosen.Offsets.push_back(static_cast<Index>(chosen.U.size()));
-    chosen.Axis.push_back(contours.Axis[contour]);
-    chosen.Coordinate.push_back(contours.Coordinate[contour]);
-    chosen.Cell.push_back(contours.Cell[contour]);
+    isOther.push_back((of == axis) != ofAxis ? 1 : 0);
   }
+  Contours chosen = contours;
+  RemoveMarked(isOther, chosen);
   return chosen;
 }
 

@@ -3,7 +3,6 @@
 #ifndef OrthoSlicesSelectContours_h
 #define OrthoSlicesSelectContours_h
 
-#include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 
 #include <vector>
@@ -11,12 +10,10 @@
 /// Parts and sums of contours, for surfaces from some of them or with virtual ones.
 namespace orthoslices
 {
-Box3 BoxOf(const Contours& contours);
-
 /// Adds contours on virtual planes to real ones.
 void AddVirtual(const Contours& others, Contours& contours);
 
-/// The contours of an axis if `ofAxis`, else those of all others. Plane is for the caller to find.
+/// The contours of an axis if `ofAxis`, else those of all others.
 Contours SelectAxis(const Contours& contours, int axis, bool ofAxis);
 
 /// Vertices of contours, at least `distance` (world units) apart along each of them.

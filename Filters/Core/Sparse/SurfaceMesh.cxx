@@ -56,22 +56,6 @@ Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const std::array<I
   return box;
 }
 
-/// The only axis with planes, or -1.
-int FindOnlyFamily(const SpatialGrid& grid)
-{
-  int only = -1;
-  int families = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (grid.Count(axis) > 0)
-    {
-      only = axis;
-      ++families;
-    }
-  }
-  return families == 1 ? only : -1;
-}
-
 /// Twice the area by the length: the radius of a circle, the thickness of a long strip.
 double ThicknessOfLoop(const NodeGraph& graph, Index loop)
 {

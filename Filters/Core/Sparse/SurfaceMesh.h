@@ -51,6 +51,15 @@ struct SurfaceMesh
     return result;
   }
 
+  /// The cotangent of a corner's angle, stretched.
+  double Cotangent(Index corner) const
+  {
+    const Index apex = this->Corners.VertexOf(corner);
+    const Point3 u = this->Edge(apex, this->Corners.StartOf(corner));
+    const Point3 v = this->Edge(apex, this->Corners.EndOf(corner));
+    return Dot(u, v) / std::max(Length(Cross(u, v)), 1e-300);
+  }
+
   /// The cell of a point that is not fixed.
   Index CellOf(Index point) const { return this->Cell[this->Corners.CornerAt(point) / 3]; }
 };

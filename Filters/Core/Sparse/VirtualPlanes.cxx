@@ -27,7 +27,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Of the axes that have planes.
 double DensestSpacing(const SpatialGrid& grid)
 {
-  double least = std::numeric_limits<double>::infinity();
+  double least = Infinity;
   for (int axis = 0; axis < 3; ++axis)
   {
     if (grid.Count(axis) > 0)
@@ -52,10 +52,7 @@ bool NeedsMore(const SpatialGrid& grid)
   const bool isStack = families == 1 || most >= FewAgainstMany * fewest;
   return isStack ? families == 1 || most >= EnoughPlanes : least == 0;
 }
-}
 
-namespace
-{
 /// The axis with at least FewAgainstMany times as many planes as all others together, if they have
 /// any, and EnoughPlanes; -1 if there is none.
 int FindStack(const SpatialGrid& grid)

@@ -37,6 +37,7 @@ using VirtualPlanes = std::array<std::vector<double>, 3>;
 class SliceDensity
 {
 public:
+  SliceDensity() = default; ///< of slices that are not sparse anywhere
   SliceDensity(const SpatialGrid& grid, const Box3& contours, double spacing = 0.0);
 
   /// The axis of a stack that has a few slices across; -1 if this is none.
