@@ -7,13 +7,14 @@
 
 #include "Core/Base/Vectors.h"
 #include "Support/CheckSurface.h"
-#include "Support/SelfIntersections.h"
-#include "Support/Vtk/DataSets.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
+#include "Support/SelfIntersections.h"
 #include "Support/SliceSolid.h"
 #include "Support/SmoothSolids.h"
+#include "Support/Vtk/DataSets.h"
 #include "Support/Vtk/PolyDataMesh.h"
+#include "Support/Vtk/PropertyChanges.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -30,7 +31,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <sstream>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -128,8 +128,7 @@ TEST(PatchProperties, DefaultsAndRanges)
 //----------------------------------------------------------------------------
 TEST(PatchProperties, SettersChangeTheTimeAndAreAllPrinted)
 {
-  vtkNew<Filter> filter;
-  const std::vector<std::pair<const char*, Change>> changes{
+  ExpectPropertyChanges({
     { "PatchType: Coons", [](Filter* f) { f->SetPatchTypeToCoons(); } },
     { "EdgeLength: 0.5", [](Filter* f) { f->SetEdgeLength(0.5); } },
     { "ChordTolerance: 0.125", [](Filter* f) { f->SetChordTolerance(0.125); } },
@@ -137,20 +136,7 @@ TEST(PatchProperties, SettersChangeTheTimeAndAreAllPrinted)
     { "Smoothing: 0.75", [](Filter* f) { f->SetSmoothing(0.75); } },
     { "ContourTolerance: 0.0625", [](Filter* f) { f->SetContourTolerance(0.0625); } },
     { "ComputeCurvatures: On", [](Filter* f) { f->ComputeCurvaturesOn(); } },
-  };
-  for (const auto& change : changes)
-  {
-    SCOPED_TRACE(change.first);
-    const vtkMTimeType before = filter->GetMTime();
-    change.second(filter);
-    const vtkMTimeType after = filter->GetMTime();
-    EXPECT_GT(after, before);
-    change.second(filter);
-    EXPECT_EQ(filter->GetMTime(), after);
-    std::ostringstream text;
-    filter->Print(text);
-    EXPECT_NE(text.str().find(change.first), std::string::npos);
-  }
+  });
 }
 
 //----------------------------------------------------------------------------

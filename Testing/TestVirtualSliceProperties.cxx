@@ -10,6 +10,7 @@
 #include "Support/FilterRun.h"
 #include "Support/SparseSolids.h"
 #include "Support/Vtk/PolyDataMesh.h"
+#include "Support/Vtk/PropertyChanges.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -21,7 +22,6 @@
 
 #include <functional>
 #include <limits>
-#include <sstream>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -119,26 +119,12 @@ TEST(VirtualSliceProperties, DefaultsAndRanges)
 //----------------------------------------------------------------------------
 TEST(VirtualSliceProperties, SettersChangeTheTimeAndAreAllPrinted)
 {
-  vtkNew<Filter> filter;
-  const std::vector<std::pair<const char*, Change>> changes{
+  ExpectPropertyChanges({
     { "VirtualSlices: Off", [](Filter* f) { f->SetVirtualSlicesToOff(); } },
     { "VirtualSlices: BySpacing", [](Filter* f) { f->SetVirtualSlicesToBySpacing(); } },
     { "VirtualSlices: Automatic", [](Filter* f) { f->SetVirtualSlicesToAutomatic(); } },
     { "VirtualSliceSpacing: 0.125", [](Filter* f) { f->SetVirtualSliceSpacing(0.125); } },
-  };
-  for (const auto& change : changes)
-  {
-    SCOPED_TRACE(change.first);
-    const vtkMTimeType before = filter->GetMTime();
-    change.second(filter);
-    const vtkMTimeType after = filter->GetMTime();
-    EXPECT_GT(after, before);
-    change.second(filter);
-    EXPECT_EQ(filter->GetMTime(), after);
-    std::ostringstream text;
-    filter->Print(text);
-    EXPECT_NE(text.str().find(change.first), std::string::npos);
-  }
+  });
 }
 
 //----------------------------------------------------------------------------

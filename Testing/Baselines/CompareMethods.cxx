@@ -13,6 +13,7 @@
 #include "DistanceInterpolation.h"
 #include "DistanceInterpolationThreeFamilies.h"
 #include "MethodSummary.h"
+#include "ProgramArguments.h"
 #include "SideBySidePicture.h"
 
 #include "vtkNew.h"
@@ -20,7 +21,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -74,18 +74,6 @@ struct Options
 };
 
 //------------------------------------------------------------------------------
-std::vector<std::string> SplitAtCommas(const std::string& text)
-{
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, ',');)
-  {
-    parts.push_back(part);
-  }
-  return parts;
-}
-
-//------------------------------------------------------------------------------
 std::vector<Comparison> ParseComparisons(const std::string& text)
 {
   if (text == "all")
@@ -98,26 +86,6 @@ std::vector<Comparison> ParseComparisons(const std::string& text)
     comparisons.push_back(ComparisonFromName(name));
   }
   return comparisons;
-}
-
-//------------------------------------------------------------------------------
-std::int64_t ParsePositive(const std::string& text)
-{
-  std::size_t used = 0;
-  long long number = 0;
-  try
-  {
-    number = std::stoll(text, &used);
-  }
-  catch (const std::exception&)
-  {
-    used = 0;
-  }
-  if (used == 0 || used != text.size() || number < 1 || number > 1000000000)
-  {
-    throw std::runtime_error("\"" + text + "\" is not a positive number");
-  }
-  return number;
 }
 
 //------------------------------------------------------------------------------
@@ -195,29 +163,6 @@ void ParseValue(const std::string& option, const std::string& value, Options& op
   {
     throw std::runtime_error("unknown option " + option);
   }
-}
-
-//------------------------------------------------------------------------------
-Options Parse(const std::vector<std::string>& arguments)
-{
-  Options options;
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-  {
-    const std::string& option = arguments[i];
-    if (bool* const flag = FindSwitch(option, options))
-    {
-      *flag = true;
-    }
-    else if (i + 1 < arguments.size())
-    {
-      ParseValue(option, arguments[++i], options);
-    }
-    else
-    {
-      throw std::runtime_error("unknown option or no value: " + option);
-    }
-  }
-  return options;
 }
 
 //------------------------------------------------------------------------------
@@ -453,12 +398,7 @@ void Run(const Options& options)
   PrintRows(rows, options);
   if (!options.CsvFile.empty())
   {
-    std::ofstream file(options.CsvFile);
-    WriteCsv(rows, file);
-    if (!file.flush())
-    {
-      throw std::runtime_error("cannot write " + options.CsvFile);
-    }
+    WriteCsvFile(rows, options.CsvFile);
   }
 }
 
@@ -469,7 +409,8 @@ int main(int argc, char* argv[])
 {
   try
   {
-    Run(Parse(std::vector<std::string>(argv + 1, argv + argc)));
+    Run(ParseArguments<Options>(
+      std::vector<std::string>(argv + 1, argv + argc), FindSwitch, ParseValue));
   }
   catch (const std::exception& error)
   {

@@ -15,15 +15,14 @@
 #include "DistanceInterpolationThreeFamilies.h"
 #include "MethodSummary.h"
 #include "OrthogonalSlices.h"
+#include "ProgramArguments.h"
 #include "RadialBasis.h"
 #include "RuledSurface.h"
 #include "SideBySidePicture.h"
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -87,30 +86,6 @@ struct Options
 };
 
 //------------------------------------------------------------------------------
-std::vector<std::string> SplitAtCommas(const std::string& text)
-{
-  std::vector<std::string> parts;
-  std::istringstream stream(text);
-  for (std::string part; std::getline(stream, part, ',');)
-  {
-    parts.push_back(part);
-  }
-  return parts;
-}
-
-//------------------------------------------------------------------------------
-std::int64_t ParsePositive(const std::string& text)
-{
-  std::istringstream stream(text);
-  std::int64_t number = 0;
-  if (!(stream >> number) || !stream.eof() || number < 1 || number > 1000000000)
-  {
-    throw std::runtime_error("\"" + text + "\" is not a positive number");
-  }
-  return number;
-}
-
-//------------------------------------------------------------------------------
 // Switches without a value.
 bool* FindSwitch(const std::string& option, Options& options)
 {
@@ -147,29 +122,6 @@ void ParseValue(const std::string& option, const std::string& value, Options& op
   {
     throw std::runtime_error("unknown option " + option);
   }
-}
-
-//------------------------------------------------------------------------------
-Options Parse(const std::vector<std::string>& arguments)
-{
-  Options options;
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-  {
-    const std::string& option = arguments[i];
-    if (bool* const flag = FindSwitch(option, options))
-    {
-      *flag = true;
-    }
-    else if (i + 1 < arguments.size())
-    {
-      ParseValue(option, arguments[++i], options);
-    }
-    else
-    {
-      throw std::runtime_error("unknown option or no value: " + option);
-    }
-  }
-  return options;
 }
 
 //------------------------------------------------------------------------------
@@ -325,12 +277,7 @@ void Run(const Options& options)
   }
   if (!options.CsvFile.empty())
   {
-    std::ofstream file(options.CsvFile);
-    WriteCsv(rows, file);
-    if (!file.flush())
-    {
-      throw std::runtime_error("cannot write " + options.CsvFile);
-    }
+    WriteCsvFile(rows, options.CsvFile);
   }
 }
 
@@ -341,7 +288,8 @@ int main(int argc, char* argv[])
 {
   try
   {
-    Run(Parse(std::vector<std::string>(argv + 1, argv + argc)));
+    Run(ParseArguments<Options>(
+      std::vector<std::string>(argv + 1, argv + argc), FindSwitch, ParseValue));
   }
   catch (const std::exception& error)
   {

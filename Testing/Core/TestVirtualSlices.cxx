@@ -14,6 +14,7 @@
 #include "Support/Random.h"
 #include "Support/ReconstructionMesh.h"
 #include "Support/SliceSolid.h"
+#include "Support/SparseSolids.h"
 #include "Support/Stages.h"
 
 #include <gtest/gtest.h>
@@ -73,12 +74,7 @@ PlaneSets Between(const Solid& solid, const std::array<int, 3>& count, Random& r
 /// About 24 cells of the in-plane grid along each axis, however many planes there are.
 PieceSets Cut(const Solid& solid, const PlaneSets& planes, InPlaneGrid grid)
 {
-  std::array<int, 3> subdivisions;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    subdivisions[axis] = 24 / (static_cast<int>(planes[axis].size()) + 1) + 1;
-  }
-  return SliceSolid(solid, planes, subdivisions, grid);
+  return SliceByFewPlanes(solid, planes, grid, 24);
 }
 
 PieceSets VirtualSlices(

@@ -137,12 +137,12 @@ PlaneSets FewPlanes(
   return planes;
 }
 
-PieceSets SliceByFewPlanes(const Solid& solid, const PlaneSets& planes, InPlaneGrid grid)
+PieceSets SliceByFewPlanes(const Solid& solid, const PlaneSets& planes, InPlaneGrid grid, int cells)
 {
   std::array<int, 3> subdivisions;
   for (int axis = 0; axis < 3; ++axis)
   {
-    subdivisions[axis] = 32 / (static_cast<int>(planes[axis].size()) + 1) + 1;
+    subdivisions[axis] = cells / (static_cast<int>(planes[axis].size()) + 1) + 1;
   }
   return SliceSolid(solid, planes, subdivisions, grid);
 }

@@ -44,10 +44,10 @@ std::vector<Solid> AllSparseSolids();
 PlaneSets FewPlanes(
   const Solid& solid, const std::array<int, 3>& count, const std::array<double, 3>& offset);
 
-/// Contours on them whose edges are about as short, a 32nd of the box's width, however few planes an
-/// axis has.
-PieceSets SliceByFewPlanes(
-  const Solid& solid, const PlaneSets& planes, InPlaneGrid grid = InPlaneGrid::Free);
+/// Contours on them whose edges are about as short, one part in `cells` (default: 32) of the box's
+/// width, however few planes an axis has.
+PieceSets SliceByFewPlanes(const Solid& solid, const PlaneSets& planes,
+  InPlaneGrid grid = InPlaneGrid::Free, int cells = 32);
 
 } // namespace support
 } // namespace orthoslices
