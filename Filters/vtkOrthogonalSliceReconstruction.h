@@ -289,9 +289,10 @@ public:
    * on additional, virtual planes, and the surface is made once more from real and virtual slices.
    * Real slices outrank virtual ones everywhere: contours that meet no other real ones keep their
    * vertices. The report is of real slices, and an array "Virtual" tells them from virtual ones in the
-   * graph and in the table of slices. Should the topology come out otherwise, the first surface
-   * stays, and there are no virtual slices in the outputs. None are added to a surface that is inside
-   * out.
+   * graph and in the table of slices. Of a stack with a few slices across, the surface of the stack
+   * alone is bent, through the contours of the slices across, and its topology counts. Should the
+   * topology come out otherwise, that of all slices is bent, and at last the first surface stays, and
+   * there are no virtual slices in the outputs. None are added to a surface that is inside out.
    *
    * Automatic (default): on the axes of missing families, and where a family has three times the
    * planes of another and 8 or more, between planes of the other one that are farther apart than 0.117

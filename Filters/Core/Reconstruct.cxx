@@ -393,8 +393,8 @@ bool StageRunner::MakeSurface()
 }
 
 /// Where slices are few, the surface bends from one to the next as little as it can, and is cut on
-/// planes between them; from the real and these virtual slices it is made once more. If that does
-/// not have the same topology, the first surface stays.
+/// planes between them; from the real and these virtual slices it is made once more. If that has
+/// another topology than what was bent, the first surface stays.
 bool StageRunner::AddVirtualSlices()
 {
   if (!this->Density.IsSparse())

@@ -40,13 +40,16 @@ namespace orthoslices
  *   LayOutTriangles     all patches as triangles                                 (section 5)
  *
  * Where slices are too few (Options::Virtual, SliceDensity), what they make is a first surface only,
- * whose patches are fans:
+ * with triangles no smaller than the next step needs:
  *
  *   MakeVirtualSlices   the fair surface of its topology, cut on virtual planes  (our own)
  *
  * and all stages from RegisterCrossings on run once more, with real and virtual contours. The second
  * surface is the result if it has as many components and handles as the first one; otherwise the
- * first one is, and its cycles are filled again, as Options::Patching says. Repairs and agreement are those of the real slices in any case.
+ * first one is, and its cycles are filled again, as Options::Patching says. For a stack with a few
+ * slices across, this is tried first with the surface of the stack alone in the place of the first
+ * one, bent through the contours of the slices across. Repairs and agreement are those of the real
+ * slices in any case.
  *
  * Filters/Core/README.md has the data between the stages, the sampling condition, and the arguments
  * for the guarantees, which hold for every input that is not refused:
