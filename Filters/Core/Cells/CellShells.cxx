@@ -244,6 +244,39 @@ void CellShells::AddWalls(const CellRegion& region, PatchMesh& shell) const
   }
 }
 
+/// Fills rings that have no triangles. A ring that is no wider than the precision may be turned over by
+/// rounding and then encloses nothing; but the walls beside it are there, and the patch has to be
+/// closed.
+void AddRingsLeftOut(const std::vector<Point2>& points,
+  const std::vector<std::vector<Index>>& rings, std::vector<std::array<Index, 3>>& triangles)
+{
+  std::vector<std::uint8_t> isUsed(points.size(), 0);
+  for (const auto& triangle : triangles)
+  {
+    for (const Index point : triangle)
+    {
+      isUsed[point] = 1;
+    }
+  }
+  std::vector<Point2> polygon;
+  for (const std::vector<Index>& ring : rings)
+  {
+    if (isUsed[ring.front()])
+    {
+      continue;
+    }
+    polygon.clear();
+    for (const Index point : ring)
+    {
+      polygon.push_back(points[point]);
+    }
+    for (const auto& [a, b, c] : TriangulatePolygon(polygon))
+    {
+      triangles.push_back({ ring[a], ring[b], ring[c] });
+    }
+  }
+}
+
 /// Triangulates the copy of the region on one face.
 void CellShells::AddFace(const CellRegion& region, int face, PatchMesh& shell) const
 {
@@ -264,7 +297,9 @@ void CellShells::AddFace(const CellRegion& region, int face, PatchMesh& shell) c
       vertex = static_cast<Index>(points.size()) - 1;
     }
   }
-  for (const auto& triangle : TriangulateRings(points, rings))
+  std::vector<std::array<Index, 3>> triangles = TriangulateRings(points, rings);
+  AddRingsLeftOut(points, rings, triangles);
+  for (const auto& triangle : triangles)
   {
     const Index a = -1 - shellPoints[triangle[0]];
     const Index b = -1 - shellPoints[triangle[1]];
