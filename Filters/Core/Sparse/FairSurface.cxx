@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Sparse/FairSurface.h"
 
+#include "Core/Base/DisjointSets.h"
+
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
@@ -153,6 +155,39 @@ std::vector<std::uint8_t> FindHeldPoints(const SurfaceMesh& mesh)
   return held;
 }
 
+/**
+ * Points of components all of whose contours lie in one slice: bent least, they would lie in it, too,
+ * and enclose nothing. They keep the domes that they have.
+ */
+void HoldFlatComponents(const SurfaceMesh& mesh, std::vector<std::uint8_t>& held)
+{
+  const CornerTable& corners = mesh.Corners;
+  DisjointSets components(corners.PointCount());
+  for (Index corner = 0; corner < corners.CornerCount(); ++corner)
+  {
+    if (corners.IsAlive(corner))
+    {
+      components.Unite(corners.StartOf(corner), corners.EndOf(corner));
+    }
+  }
+  std::vector<Box3> boxes(mesh.Points.size()); // around the contours of each component
+  for (Index point = 0; point < corners.PointCount(); ++point)
+  {
+    if (corners.IsUsed(point) && mesh.Fixed[point])
+    {
+      boxes[components.Find(point)].Add(mesh.Points[point]);
+    }
+  }
+  for (Index point = 0; point < corners.PointCount(); ++point)
+  {
+    const Box3& box = boxes[components.Find(point)];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      held[point] |= box.Low[axis] == box.High[axis] ? 1 : 0;
+    }
+  }
+}
+
 /// Numbers the points that are free to move.
 Index NumberFreePoints(
   const SurfaceMesh& mesh, const std::vector<std::uint8_t>& stopped, std::vector<Index>& place)
@@ -174,6 +209,7 @@ void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
 {
   const Operator bending = MakeOperator(weights, mesh);
   std::vector<std::uint8_t> stopped = FindHeldPoints(mesh);
+  HoldFlatComponents(mesh, stopped);
   std::vector<Index> place;
   // Points that reach the end of their cell stay there; then the others are placed anew.
   constexpr int rounds = 3;
