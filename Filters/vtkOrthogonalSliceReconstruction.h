@@ -189,7 +189,14 @@ public:
   enum InvalidContoursMode
   {
     REFUSE = 0,
-    LEAVE_OUT = 1
+    LEAVE_OUT = 1,
+    MEND = 2
+  };
+
+  enum BorderContoursMode
+  {
+    CLOSE_ALONG_BORDER = 0,
+    REFUSE_AT_BORDER = 1
   };
 
   enum CrossingContoursMode
@@ -258,13 +265,34 @@ public:
 
   ///@{
   /**
-   * What happens to contours that are open, off their plane or not finite: the input is refused
-   * with an error (default), or they are left out with a warning.
+   * What happens to contours that are open, off their plane, without area or not finite. MEND
+   * (default): they are mended with a warning, and listed on port 6. Vertices that are off their plane
+   * by at most a tenth of the least distance between the slices of their port are put on it; gaps of at
+   * most a fifth of the length of the contours are closed, by straight lines; what runs past its own
+   * start, or past that of the next piece, is trimmed, and at most a quarter of it; contours that end at
+   * the border of the image are closed along it (see BorderContours). Pieces of one or two points, loops
+   * without area and what cannot be mended are left out. REFUSE: an error, and no surface. LEAVE_OUT:
+   * they are left out with a warning.
    */
-  vtkSetClampMacro(InvalidContours, int, REFUSE, LEAVE_OUT);
+  vtkSetClampMacro(InvalidContours, int, REFUSE, MEND);
   vtkGetMacro(InvalidContours, int);
   void SetInvalidContoursToRefuse() { this->SetInvalidContours(REFUSE); }
   void SetInvalidContoursToLeaveOut() { this->SetInvalidContours(LEAVE_OUT); }
+  void SetInvalidContoursToMend() { this->SetInvalidContours(MEND); }
+  ///@}
+
+  ///@{
+  /**
+   * What happens, with InvalidContours = MEND, to contours that end at the border of the image. They
+   * are closed along it (default), or the input is refused with an error. The border is a rectangle in
+   * the planes of each port. A side of it is where the contours reach farthest along an axis and two or
+   * more loose ends lie. Where contours could be closed on either side, they keep to the sides at which
+   * ends lie, and to the shorter way.
+   */
+  vtkSetClampMacro(BorderContours, int, CLOSE_ALONG_BORDER, REFUSE_AT_BORDER);
+  vtkGetMacro(BorderContours, int);
+  void SetBorderContoursToCloseAlongBorder() { this->SetBorderContours(CLOSE_ALONG_BORDER); }
+  void SetBorderContoursToRefuse() { this->SetBorderContours(REFUSE_AT_BORDER); }
   ///@}
 
   ///@{
@@ -554,7 +582,8 @@ private:
 
   double PlaneTolerance = 1e-5;
   int Orientation = ORIENT_BY_NESTING;
-  int InvalidContours = REFUSE;
+  int InvalidContours = MEND;
+  int BorderContours = CLOSE_ALONG_BORDER;
   int CrossingContours = REPAIR_CROSSING;
   int SeveralCycles = BY_EVIDENCE;
   int Correspondence = CORRESPOND_BY_EVIDENCE;

@@ -28,6 +28,10 @@ namespace orthoslices
 {
 namespace
 {
+/// How far vertices of a single slice may be off their plane, as a share of the diagonal of all
+/// contours: rounding to three digits.
+constexpr double AloneTolerance = 1e-3;
+
 /// Diagonal of the bounding box of all finite coordinates of the input, without virtual pieces.
 double FindDiagonal(const std::array<Pieces, 3>& pieces)
 {
@@ -217,10 +221,20 @@ bool StageRunner::ReadContours(std::array<Pieces, 3>&& pieces)
 {
   this->Result.Diagonal = FindDiagonal(pieces);
   this->Tables.Tolerance = this->Settings.PlaneTolerance * this->Result.Diagonal;
-  for (Pieces& set : pieces)
+  AssembleSettings settings;
+  settings.Tolerance = this->Tables.Tolerance;
+  settings.Mend = this->Settings.Invalid == InvalidContours::Mend;
+  settings.AloneTolerance = AloneTolerance * this->Result.Diagonal;
+  settings.AtBorder = this->Settings.AtBorder;
+  PieceProblems problems = AssembleContours(std::move(pieces), settings, this->Tables.Contours);
+  this->Result.Invalid = std::move(problems.Unusable);
+  this->Result.Mended = std::move(problems.Mended);
+  if (this->Tables.Contours.Count() == 0)
   {
-    AssembleContours(
-      std::move(set), this->Tables.Tolerance, this->Tables.Contours, this->Result.Invalid);
+    // Nothing was mended, but all left out.
+    this->Result.Invalid.insert(
+      this->Result.Invalid.end(), this->Result.Mended.begin(), this->Result.Mended.end());
+    this->Result.Mended.clear();
   }
   this->Finish(Stage::AssembleContours);
   return this->GoOn(0.15);
@@ -248,7 +262,7 @@ bool StageRunner::OrientSlices()
     result.ContourCount[contours.Axis[contour]] += contours.IsVirtual(contour) ? 0 : 1;
   }
   result.InsideOut = options.Orient == Orientation::AsDrawn && BoundOutside(contours);
-  result.Refused = (options.RefuseInvalid && !result.Invalid.empty()) ||
+  result.Refused = (options.Invalid != InvalidContours::LeaveOut && !result.Invalid.empty()) ||
     (options.Crossing == CrossingContours::Refuse && !result.CrossingProblems.empty());
   this->Finish(Stage::OrientContours);
   if (result.Refused || !this->GoOn(0.35))

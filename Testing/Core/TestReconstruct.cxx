@@ -83,7 +83,7 @@ TEST(Reconstruct, RefusesWithTheListOfProblems)
   for (const auto crossing : { CrossingContours::Repair, CrossingContours::LeaveOut })
   {
     Options options;
-    options.RefuseInvalid = false;
+    options.Invalid = InvalidContours::LeaveOut;
     options.Crossing = crossing;
     const Reconstruction kept = RunCore(text, options);
     EXPECT_FALSE(kept.Refused);

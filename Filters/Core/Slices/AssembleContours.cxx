@@ -2,76 +2,150 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Slices/AssembleContours.h"
 
+#include "Core/Base/Predicates.h"
+#include "Core/Slices/JoinPieces.h"
+#include "Core/Slices/MendCurves.h"
+#include "Core/Slices/PiecePlanes.h"
+#include "Core/Slices/TrimOverrun.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <limits>
 
 namespace orthoslices
 {
 namespace
 {
-/// End `2 * piece` is the piece's first point, `2 * piece + 1` its last.
-using End = Index;
-constexpr End None = -1;
+/// Appends a vertex to the loop that is being added, unless it repeats the last one.
+void AddPoint(double u, double v, Contours& contours)
+{
+  const bool begins = static_cast<Index>(contours.U.size()) == contours.Offsets.back();
+  if (begins || u != contours.U.back() || v != contours.V.back())
+  {
+    contours.U.push_back(u);
+    contours.V.push_back(v);
+  }
+}
 
-class Assembler
+/// Whether a loop encloses nothing: its vertices lie on one line, or it goes back the way it came.
+bool IsFlat(const Contours& contours, std::size_t begin)
+{
+  const std::size_t end = contours.U.size();
+  const auto at = [&](std::size_t i) { return Point2{ contours.U[i], contours.V[i] }; };
+  std::size_t i = begin + 2;
+  while (i < end && SideOf(at(begin), at(begin + 1), at(i)) == 0)
+  {
+    ++i;
+  }
+  if (i == end)
+  {
+    return true;
+  }
+  double area = 0.0, size = 0.0;
+  for (i = begin + 1; i + 1 < end; ++i)
+  {
+    const double term = Cross(at(i) - at(begin), at(i + 1) - at(begin));
+    area += term;
+    size += std::abs(term);
+  }
+  // Only where the area may well be zero is it worth looking whether every way is gone back.
+  constexpr double rounding = 1e-9;
+  if (std::abs(area) > rounding * size)
+  {
+    return false;
+  }
+  std::vector<Point2> way;
+  for (i = begin; i < end; ++i)
+  {
+    const bool back = way.size() > 1 && way[way.size() - 2] == at(i);
+    back ? way.pop_back() : way.push_back(at(i));
+  }
+  std::size_t first = 0;
+  while (way.size() > first + 2 && way[first + 1] == way.back())
+  {
+    way.pop_back();
+    ++first;
+  }
+  return way.size() <= first + 2;
+}
+
+enum class LoopState
+{
+  Good,
+  TooShort,
+  Flat
+};
+
+/// Takes repetitions of its first vertex from the end of the loop that is being added.
+LoopState CheckLoop(bool alsoFlat, Contours& contours)
+{
+  const std::size_t begin = contours.Offsets.back();
+  std::vector<double>&u = contours.U, &v = contours.V;
+  while (u.size() > begin + 1 && u.back() == u[begin] && v.back() == v[begin])
+  {
+    u.pop_back();
+    v.pop_back();
+  }
+  return u.size() < begin + 3             ? LoopState::TooShort
+    : alsoFlat && IsFlat(contours, begin) ? LoopState::Flat
+                                          : LoopState::Good;
+}
+
+/// Gives up the loop that is being added.
+void DropLoop(Contours& contours)
+{
+  contours.U.resize(contours.Offsets.back());
+  contours.V.resize(contours.Offsets.back());
+}
+
+/// Makes contours of the pieces of one axis.
+class SetAssembler
 {
 public:
-  Assembler(
-    const Pieces& pieces, double tolerance, Contours& contours, std::vector<Problem>& problems)
-    : Input(pieces)
-    , Tolerance(tolerance)
+  SetAssembler(
+    Pieces&& pieces, const AssembleSettings& settings, Contours& contours, PieceProblems& problems)
+    : Input(std::move(pieces))
+    , Settings(settings)
     , Output(contours)
     , Problems(problems)
+    , Usable(Input.Count(), 1)
   {
   }
 
-  void Run();
+  /// Appends the contours that need nothing. With Mend, returns the others that may be mended.
+  std::vector<OpenCurve> Run();
 
 private:
   Index First(Index piece) const { return this->Input.Offsets[piece]; }
   Index Last(Index piece) const { return this->Input.Offsets[piece + 1] - 1; }
-  Index VertexOf(End end) const { return end & 1 ? this->Last(end / 2) : this->First(end / 2); }
-  double Distance(Index a, Index b) const;
   Point3 World(Index vertex) const;
-  bool Same(Index a, Index b) const;
-  std::uint64_t Hash(Index vertex) const;
+  void Report(ProblemKind kind, Index piece, Index vertex, double size);
+  std::vector<Problem>& Unusable()
+  {
+    return this->Settings.Mend ? this->Problems.Mended : this->Problems.Unusable;
+  }
 
-  bool IsLoose(Index piece) const { return !this->Input.Closed[piece] && this->Keep[piece]; }
   void RejectNotFinite();
-  void JoinCoincidentEnds();
-  void JoinGroup(std::vector<End>& ends);
-  void DropDuplicateSegments(std::vector<End>& ends);
-  void PairByAngle(std::vector<End>& ends);
-  void JoinNearEnds();
-  bool ClosesItself(Index piece) const;
-  void FollowFrom(Index piece);
-
-  void AddVertices(Index piece, bool forward);
+  bool IsComplete(Index piece) const;
+  void AddContour(const PieceChains& chains, Index chain);
+  void AddVertices(const PieceChains::Link& link);
   void AddVertex(Index vertex);
-  void FinishContour(Index piece);
-  void Report(ProblemKind kind, std::int64_t cell, Index vertex);
+  bool FinishContour(Index piece);
+  double LengthOf(Index piece) const;
+  bool TreatOpen(const PieceChains& chains, Index chain, OpenCurve& curve);
+  void ReportShift(const PieceChains& chains, Index chain);
+  bool CopyCurve(const PieceChains& chains, Index chain, OpenCurve& curve);
 
-  const Pieces& Input;
-  double Tolerance;
+  Pieces Input;
+  const AssembleSettings& Settings;
   Contours& Output;
-  std::vector<Problem>& Problems;
-  std::vector<End> Link; ///< the end that each end is joined to
-  std::vector<std::uint8_t> Keep;
-  double CurrentW = 0.0;     ///< plane of the contour that is being built
-  Index OffPlaneVertex = -1; ///< its vertex farthest from the plane, if beyond the tolerance
+  PieceProblems& Problems;
+  std::vector<std::uint8_t> Usable; ///< of the pieces
+  std::vector<PlaneShift> Shifts;   ///< of the pieces; empty if none was moved
+  double CurrentW = 0.0;            ///< plane of the contour that is being built
+  Index OffPlaneVertex = -1;        ///< its first vertex that is farther from it than the tolerance
 };
 
-double Assembler::Distance(Index a, Index b) const
-{
-  const double u = this->Input.U[a] - this->Input.U[b];
-  const double v = this->Input.V[a] - this->Input.V[b];
-  const double w = this->Input.W[a] - this->Input.W[b];
-  return std::sqrt(u * u + v * v + w * w);
-}
-
-Point3 Assembler::World(Index vertex) const
+Point3 SetAssembler::World(Index vertex) const
 {
   Point3 point;
   point[this->Input.Axis] = this->Input.W[vertex];
@@ -80,32 +154,14 @@ Point3 Assembler::World(Index vertex) const
   return point;
 }
 
-bool Assembler::Same(Index a, Index b) const
+/// Reports a contour that is not there.
+void SetAssembler::Report(ProblemKind kind, Index piece, Index vertex, double size)
 {
-  return this->Input.U[a] == this->Input.U[b] && this->Input.V[a] == this->Input.V[b] &&
-    this->Input.W[a] == this->Input.W[b];
+  this->Unusable().push_back(
+    { kind, this->Input.Axis, this->Input.Cell[piece], this->World(vertex), size, true });
 }
 
-std::uint64_t Assembler::Hash(Index vertex) const
-{
-  std::uint64_t hash = 0;
-  for (double x : { this->Input.U[vertex], this->Input.V[vertex], this->Input.W[vertex] })
-  {
-    x += 0.0; // -0.0 and 0.0 are the same place
-    std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof(bits));
-    hash = (hash ^ bits) * 0x9e3779b97f4a7c15ull;
-    hash ^= hash >> 29;
-  }
-  return hash;
-}
-
-void Assembler::Report(ProblemKind kind, std::int64_t cell, Index vertex)
-{
-  this->Problems.push_back({ kind, this->Input.Axis, cell, this->World(vertex), 0.0, true });
-}
-
-void Assembler::RejectNotFinite()
+void SetAssembler::RejectNotFinite()
 {
   for (Index piece = 0; piece < this->Input.Count(); ++piece)
   {
@@ -113,163 +169,19 @@ void Assembler::RejectNotFinite()
     {
       if (!std::isfinite(this->Input.U[i] + this->Input.V[i] + this->Input.W[i]))
       {
-        this->Report(ProblemKind::NotFinite, this->Input.Cell[piece], i);
-        this->Keep[piece] = 0;
+        this->Report(ProblemKind::NotFinite, piece, i, 0.0);
+        this->Usable[piece] = 0;
         break;
       }
     }
   }
 }
 
-/// Groups the ends by place. Sorting hashes is several times faster than sorting coordinates.
-void Assembler::JoinCoincidentEnds()
+/// Whether a piece with two loose ends is a polyline that does not repeat its first point.
+bool SetAssembler::IsComplete(Index piece) const
 {
-  std::vector<std::pair<std::uint64_t, End>> keys;
-  for (Index piece = 0; piece < this->Input.Count(); ++piece)
-  {
-    if (this->IsLoose(piece))
-    {
-      keys.emplace_back(this->Hash(this->First(piece)), 2 * piece);
-      keys.emplace_back(this->Hash(this->Last(piece)), 2 * piece + 1);
-    }
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<End> group;
-  for (std::size_t i = 0; i < keys.size(); ++i)
-  {
-    group.push_back(keys[i].second);
-    const bool last = i + 1 == keys.size() ||
-      !this->Same(this->VertexOf(group[0]), this->VertexOf(keys[i + 1].second));
-    if (last)
-    {
-      this->JoinGroup(group);
-      group.clear();
-    }
-  }
-}
-
-void Assembler::JoinGroup(std::vector<End>& ends)
-{
-  if (ends.size() > 2)
-  {
-    this->DropDuplicateSegments(ends);
-  }
-  if (ends.size() > 2)
-  {
-    this->PairByAngle(ends);
-  }
-  else if (ends.size() == 2)
-  {
-    this->Link[ends[0]] = ends[1];
-    this->Link[ends[1]] = ends[0];
-  }
-}
-
-/// A cutter that meets a mesh edge in its plane leaves one segment for each side of the edge.
-void Assembler::DropDuplicateSegments(std::vector<End>& ends)
-{
-  std::vector<End> kept;
-  for (const End end : ends)
-  {
-    const Index piece = end / 2;
-    const bool segment = this->Last(piece) - this->First(piece) == 1;
-    const bool duplicate = segment &&
-      std::any_of(kept.begin(), kept.end(),
-        [&](End other)
-        {
-          return other / 2 != piece && this->Last(other / 2) - this->First(other / 2) == 1 &&
-            this->Same(this->VertexOf(other ^ 1), this->VertexOf(end ^ 1));
-        });
-    if (duplicate || !this->Keep[piece])
-    {
-      // The smallest index is kept, here and at the segment's other end: groups are sorted.
-      this->Keep[piece] = 0;
-    }
-    else
-    {
-      kept.push_back(end);
-    }
-  }
-  ends.swap(kept);
-}
-
-/// Where contours touch at a point, neighbours by angle belong together: no two of them cross.
-void Assembler::PairByAngle(std::vector<End>& ends)
-{
-  std::vector<std::pair<double, End>> angles;
-  for (const End end : ends)
-  {
-    const Index at = this->VertexOf(end);
-    const Index next = end & 1 ? at - 1 : at + 1;
-    angles.emplace_back(
-      std::atan2(this->Input.V[next] - this->Input.V[at], this->Input.U[next] - this->Input.U[at]),
-      end);
-  }
-  std::sort(angles.begin(), angles.end());
-  double evenGaps = 0.0;
-  for (std::size_t i = 0; i + 1 < angles.size(); i += 2)
-  {
-    evenGaps += angles[i + 1].first - angles[i].first;
-  }
-  constexpr double pi = 3.14159265358979323846;
-  const std::size_t shift = evenGaps <= pi ? 0 : 1;
-  const std::size_t count = angles.size() & ~std::size_t(1);
-  for (std::size_t i = 0; i < count; i += 2)
-  {
-    const End a = angles[(i + shift) % count].second;
-    const End b = angles[(i + 1 + shift) % count].second;
-    this->Link[a] = b;
-    this->Link[b] = a;
-  }
-}
-
-/// What is still loose is joined to the nearest loose end within the tolerance.
-void Assembler::JoinNearEnds()
-{
-  std::vector<End> loose;
-  for (End end = 0; end < 2 * this->Input.Count(); ++end)
-  {
-    if (this->IsLoose(end / 2) && this->Link[end] == None)
-    {
-      loose.push_back(end);
-    }
-  }
-  const auto& u = this->Input.U;
-  std::sort(loose.begin(), loose.end(),
-    [&](End a, End b)
-    {
-      const double ua = u[this->VertexOf(a)];
-      const double ub = u[this->VertexOf(b)];
-      return ua != ub ? ua < ub : a < b;
-    });
-  for (std::size_t i = 0; i < loose.size(); ++i)
-  {
-    const Index at = this->VertexOf(loose[i]);
-    End nearest = None;
-    double minimum = this->Tolerance;
-    for (std::size_t j = i + 1; j < loose.size() && this->Link[loose[i]] == None; ++j)
-    {
-      const Index other = this->VertexOf(loose[j]);
-      if (u[other] - u[at] > this->Tolerance)
-      {
-        break;
-      }
-      if (this->Link[loose[j]] == None && this->Distance(at, other) <= minimum)
-      {
-        nearest = loose[j];
-        minimum = this->Distance(at, other);
-      }
-    }
-    if (nearest != None)
-    {
-      this->Link[loose[i]] = nearest;
-      this->Link[nearest] = loose[i];
-    }
-  }
-}
-
-bool Assembler::ClosesItself(Index piece) const
-{
+  const auto distance = [this](Index a, Index b)
+  { return Length(this->World(b) - this->World(a)); };
   if (this->Last(piece) - this->First(piece) < 2)
   {
     return false;
@@ -277,22 +189,22 @@ bool Assembler::ClosesItself(Index piece) const
   double longest = 0.0;
   for (Index i = this->First(piece); i < this->Last(piece); ++i)
   {
-    longest = std::max(longest, this->Distance(i, i + 1));
+    longest = std::max(longest, distance(i, i + 1));
   }
-  return this->Distance(this->First(piece), this->Last(piece)) <= 2.0 * longest;
+  return distance(this->First(piece), this->Last(piece)) <= 2.0 * longest;
 }
 
-void Assembler::AddVertices(Index piece, bool forward)
+void SetAssembler::AddVertices(const PieceChains::Link& link)
 {
-  const Index first = this->First(piece);
-  const Index last = this->Last(piece);
+  const Index first = this->First(link.Piece);
+  const Index last = this->Last(link.Piece);
   for (Index i = first; i <= last; ++i)
   {
-    this->AddVertex(forward ? i : last - (i - first));
+    this->AddVertex(link.IsForward ? i : last - (i - first));
   }
 }
 
-void Assembler::AddVertex(Index vertex)
+void SetAssembler::AddVertex(Index vertex)
 {
   const bool begins = static_cast<Index>(this->Output.U.size()) == this->Output.Offsets.back();
   if (begins)
@@ -300,113 +212,249 @@ void Assembler::AddVertex(Index vertex)
     this->CurrentW = this->Input.W[vertex];
     this->OffPlaneVertex = -1;
   }
-  if (std::abs(this->Input.W[vertex] - this->CurrentW) > this->Tolerance)
+  if (std::abs(this->Input.W[vertex] - this->CurrentW) > this->Settings.Tolerance)
   {
     this->OffPlaneVertex = this->OffPlaneVertex < 0 ? vertex : this->OffPlaneVertex;
   }
-  if (begins || this->Input.U[vertex] != this->Output.U.back() ||
-    this->Input.V[vertex] != this->Output.V.back())
+  AddPoint(this->Input.U[vertex], this->Input.V[vertex], this->Output);
+}
+
+/// The vertices of a contour of several pieces lie on the plane of the first one.
+void SetAssembler::AddContour(const PieceChains& chains, Index chain)
+{
+  for (Index i = chains.Offsets[chain]; i < chains.Offsets[chain + 1]; ++i)
   {
-    this->Output.U.push_back(this->Input.U[vertex]);
-    this->Output.V.push_back(this->Input.V[vertex]);
+    this->AddVertices(chains.Links[i]);
+  }
+  if (this->FinishContour(chains.Links[chains.Offsets[chain]].Piece))
+  {
+    this->ReportShift(chains, chain);
   }
 }
 
-/// Ends the contour, which is named after one of its pieces.
-void Assembler::FinishContour(Index piece)
+/// Ends the contour, which is named after one of its pieces. Returns whether it is one.
+bool SetAssembler::FinishContour(Index piece)
 {
-  const std::int64_t cell = this->Input.Cell[piece];
-  Contours& out = this->Output;
-  const std::size_t begin = out.Offsets.back();
-  while (out.U.size() > begin + 1 && out.U.back() == out.U[begin] && out.V.back() == out.V[begin])
-  {
-    out.U.pop_back();
-    out.V.pop_back();
-  }
   if (this->OffPlaneVertex >= 0)
   {
-    this->Report(ProblemKind::OffPlane, cell, this->OffPlaneVertex);
+    this->Report(ProblemKind::OffPlane, piece, this->OffPlaneVertex,
+      std::abs(this->Input.W[this->OffPlaneVertex] - this->CurrentW));
+    DropLoop(this->Output);
+    return false;
   }
-  if (this->OffPlaneVertex >= 0 || out.U.size() < begin + 3)
+  const LoopState state = CheckLoop(this->Settings.Mend, this->Output);
+  if (state != LoopState::Good)
   {
-    out.U.resize(begin);
-    out.V.resize(begin);
-    return;
+    if (this->Settings.Mend)
+    {
+      this->Report(state == LoopState::Flat ? ProblemKind::Flat : ProblemKind::TooShort, piece,
+        this->First(piece), this->LengthOf(piece));
+    }
+    DropLoop(this->Output);
+    return false;
   }
-  out.Offsets.push_back(static_cast<Index>(out.U.size()));
-  out.Axis.push_back(static_cast<std::int8_t>(this->Input.Axis));
-  out.Coordinate.push_back(this->CurrentW);
-  out.Cell.push_back(cell);
-  if (!this->Input.Virtual.empty() || !out.Virtual.empty())
+  this->Output.Offsets.push_back(static_cast<Index>(this->Output.U.size()));
+  this->Output.Axis.push_back(static_cast<std::int8_t>(this->Input.Axis));
+  this->Output.Coordinate.push_back(this->CurrentW);
+  this->Output.Cell.push_back(this->Input.Cell[piece]);
+  if (!this->Input.Virtual.empty() || !this->Output.Virtual.empty())
   {
-    out.Virtual.resize(out.Axis.size(), 0);
-    out.Virtual.back() = this->Input.IsVirtual(piece) ? 1 : 0;
+    this->Output.Virtual.resize(this->Output.Axis.size(), 0);
+    this->Output.Virtual.back() = this->Input.IsVirtual(piece) ? 1 : 0;
   }
+  return true;
 }
 
-/// Follows the links from a piece until they return to it, or to a loose end.
-void Assembler::FollowFrom(Index piece)
+double SetAssembler::LengthOf(Index piece) const
 {
-  End end = 2 * piece + 1;
-  while (this->Link[end] != None && this->Link[end] / 2 != piece)
+  double length = 0.0;
+  for (Index i = this->First(piece); i < this->Last(piece); ++i)
   {
-    end = this->Link[end] ^ 1;
+    length += Length(this->World(i + 1) - this->World(i));
   }
-  if (this->Link[end] == None)
+  return length;
+}
+
+/// Reports the vertex that was moved farthest, if the tolerance does not allow it to be where it was.
+void SetAssembler::ReportShift(const PieceChains& chains, Index chain)
+{
+  PlaneShift farthest;
+  Index ofPiece = -1;
+  for (Index i = chains.Offsets[chain]; i < chains.Offsets[chain + 1] && !this->Shifts.empty(); ++i)
   {
-    this->Report(ProblemKind::Open, this->Input.Cell[end / 2], this->VertexOf(end));
-  }
-  const bool open = this->Link[end] == None;
-  // From the loose end just found, or from the piece itself, the other way round through all
-  // pieces.
-  const End start = open ? end : 2 * piece;
-  for (End at = start; at != None && this->Keep[at / 2]; at = this->Link[at ^ 1])
-  {
-    this->Keep[at / 2] = 0;
-    if (!open)
+    const Index piece = chains.Links[i].Piece;
+    if (this->Shifts[piece].Distance > std::max(farthest.Distance, this->Settings.Tolerance))
     {
-      this->AddVertices(at / 2, (at & 1) == 0);
+      farthest = this->Shifts[piece];
+      ofPiece = piece;
     }
   }
-  if (!open)
+  if (ofPiece >= 0)
   {
-    this->FinishContour(piece);
+    Point3 where = this->World(farthest.Vertex);
+    where[this->Input.Axis] = farthest.From;
+    this->Problems.Mended.push_back({ ProblemKind::MovedOntoPlane, this->Input.Axis,
+      this->Input.Cell[ofPiece], where, farthest.Distance });
   }
 }
 
-void Assembler::Run()
+/// The curve of an open chain. False if it leaves its plane.
+bool SetAssembler::CopyCurve(const PieceChains& chains, Index chain, OpenCurve& curve)
 {
-  this->Link.assign(2 * static_cast<std::size_t>(this->Input.Count()), None);
-  this->Keep.assign(this->Input.Count(), 1);
+  const Index piece = chains.Links[chains.Offsets[chain]].Piece;
+  curve.Axis = this->Input.Axis;
+  curve.Cell = this->Input.Cell[piece];
+  // Where contours are collected there is room for one more.
+  const std::size_t begin = this->Output.U.size();
+  for (Index i = chains.Offsets[chain]; i < chains.Offsets[chain + 1]; ++i)
+  {
+    this->AddVertices(chains.Links[i]);
+  }
+  curve.Plane = this->CurrentW;
+  for (std::size_t i = begin; i < this->Output.U.size(); ++i)
+  {
+    curve.Points.push_back({ this->Output.U[i], this->Output.V[i] });
+  }
+  DropLoop(this->Output);
+  if (this->OffPlaneVertex >= 0)
+  {
+    this->Report(ProblemKind::OffPlane, piece, this->OffPlaneVertex,
+      std::abs(this->Input.W[this->OffPlaneVertex] - this->CurrentW));
+    return false;
+  }
+  return true;
+}
+
+/// Closes an open chain, or says that it is open. With Mend, returns true if that is still to be done,
+/// and the curve.
+bool SetAssembler::TreatOpen(const PieceChains& chains, Index chain, OpenCurve& curve)
+{
+  const PieceChains::Link& first = chains.Links[chains.Offsets[chain]];
+  const bool isComplete = chains.IsSingle(chain) && this->IsComplete(first.Piece);
+  if (this->Settings.Mend)
+  {
+    if (!this->CopyCurve(chains, chain, curve))
+    {
+      return false;
+    }
+    if (TrimOverrun(curve) || !isComplete)
+    {
+      this->ReportShift(chains, chain);
+      return true;
+    }
+  }
+  if (isComplete)
+  {
+    this->AddContour(chains, chain);
+    return false;
+  }
+  const Index last = chains.Links[chains.Offsets[chain + 1] - 1].Piece;
+  const bool lastIsForward = chains.Links[chains.Offsets[chain + 1] - 1].IsForward;
+  const Index end = first.IsForward ? this->First(first.Piece) : this->Last(first.Piece);
+  const Index other = lastIsForward ? this->Last(last) : this->First(last);
+  this->Report(ProblemKind::Open, first.Piece, end, Length(this->World(other) - this->World(end)));
+  return false;
+}
+
+std::vector<OpenCurve> SetAssembler::Run()
+{
+  this->RejectNotFinite();
+  if (this->Settings.Mend)
+  {
+    this->Shifts =
+      MoveOntoPlanes(this->Settings.Tolerance, this->Settings.AloneTolerance, this->Input);
+  }
   this->Output.U.reserve(this->Output.U.size() + this->Input.U.size());
   this->Output.V.reserve(this->Output.V.size() + this->Input.V.size());
-  this->RejectNotFinite();
-  this->JoinCoincidentEnds();
-  this->JoinNearEnds();
-  for (Index piece = 0; piece < this->Input.Count(); ++piece)
+  const PieceChains chains = JoinPieces(this->Input, this->Usable, this->Settings.Tolerance);
+  std::vector<OpenCurve> curves;
+  for (Index chain = 0; chain < chains.Count(); ++chain)
   {
-    if (!this->Keep[piece])
+    OpenCurve curve;
+    if (chains.Closed[chain])
     {
+      this->AddContour(chains, chain);
+    }
+    else if (this->TreatOpen(chains, chain, curve))
+    {
+      curves.push_back(std::move(curve));
+    }
+  }
+  return curves;
+}
+
+/// What the contours of each axis reach, with the points of curves.
+std::array<ImageBorder, 3> FindReach(const Contours& contours, const std::vector<OpenCurve>& curves)
+{
+  std::array<ImageBorder, 3> borders;
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
+    {
+      borders[contours.Axis[contour]].Add({ contours.U[i], contours.V[i] });
+    }
+  }
+  for (const OpenCurve& curve : curves)
+  {
+    for (const Point2& point : curve.Points)
+    {
+      borders[curve.Axis].Add(point);
+    }
+  }
+  return borders;
+}
+
+/// Appends the loops that were made of open curves.
+void AppendLoops(const std::vector<OpenCurve>& loops, Contours& contours, PieceProblems& problems)
+{
+  for (const OpenCurve& loop : loops)
+  {
+    for (const Point2& point : loop.Points)
+    {
+      AddPoint(point[0], point[1], contours);
+    }
+    if (CheckLoop(true, contours) != LoopState::Good)
+    {
+      Point3 where;
+      where[loop.Axis] = loop.Plane;
+      where[FirstAxis(loop.Axis)] = loop.Points[0][0];
+      where[SecondAxis(loop.Axis)] = loop.Points[0][1];
+      DropLoop(contours);
+      problems.Mended.push_back(
+        { ProblemKind::Flat, loop.Axis, loop.Cell, where, loop.Length(), true });
       continue;
     }
-    const bool alone = this->Link[2 * piece] == None && this->Link[2 * piece + 1] == None;
-    if (this->Input.Closed[piece] || (alone && this->ClosesItself(piece)))
+    contours.Offsets.push_back(static_cast<Index>(contours.U.size()));
+    contours.Axis.push_back(static_cast<std::int8_t>(loop.Axis));
+    contours.Coordinate.push_back(loop.Plane);
+    contours.Cell.push_back(loop.Cell);
+    if (!contours.Virtual.empty())
     {
-      this->AddVertices(piece, true);
-      this->FinishContour(piece);
-    }
-    else
-    {
-      this->FollowFrom(piece);
+      contours.Virtual.resize(contours.Axis.size(), 0);
     }
   }
 }
 }
 
-void AssembleContours(
-  Pieces&& pieces, double tolerance, Contours& contours, std::vector<Problem>& problems)
+PieceProblems AssembleContours(
+  std::array<Pieces, 3>&& pieces, const AssembleSettings& settings, Contours& contours)
 {
-  const Pieces input = std::move(pieces);
-  Assembler(input, tolerance, contours, problems).Run();
+  PieceProblems problems;
+  std::vector<OpenCurve> curves;
+  for (Pieces& set : pieces)
+  {
+    std::vector<OpenCurve> open = SetAssembler(std::move(set), settings, contours, problems).Run();
+    std::move(open.begin(), open.end(), std::back_inserter(curves));
+  }
+  if (!curves.empty())
+  {
+    std::array<ImageBorder, 3> borders = FindReach(contours, curves);
+    const MendedCurves mended =
+      MendCurves(std::move(curves), settings.Tolerance, settings.AtBorder, borders);
+    problems.Mended.insert(problems.Mended.end(), mended.Problems.begin(), mended.Problems.end());
+    problems.Unusable.insert(problems.Unusable.end(), mended.Refused.begin(), mended.Refused.end());
+    AppendLoops(mended.Loops, contours, problems);
+  }
+  return problems;
 }
 }

@@ -28,10 +28,9 @@ struct Assembled
 Assembled Assemble(const PieceSets& sets, double tolerance = 0.0)
 {
   Assembled result;
-  for (Pieces pieces : sets)
-  {
-    AssembleContours(std::move(pieces), tolerance, result.Set, result.Problems);
-  }
+  AssembleSettings settings;
+  settings.Tolerance = tolerance;
+  result.Problems = AssembleContours(PieceSets(sets), settings, result.Set).Unusable;
   return result;
 }
 
