@@ -33,7 +33,8 @@
  * pieces and loose two-point segments in any order and direction, and any mixture; vertices and
  * strips are ignored. Points may be float or double and may be duplicated. Pieces are joined where
  * their end points coincide; a single polyline of three or more points whose ends meet no other
- * piece is closed if the gap is at most twice its longest segment, and is open otherwise.
+ * piece is closed if the gap is at most twice its longest segment, and is open otherwise. What is
+ * wrong with open contours and others, by default, is mended (InvalidContours).
  *
  * With ORIENT_BY_NESTING (the default) directions are ignored: the outermost contours of a slice
  * enclose the interior, the contours directly inside them enclose holes, and so on. With
@@ -144,10 +145,12 @@
  * that cross, nothing outside the box of the contours by more than half a spacing.
  *
  * @section Errors Errors
- * A connected port without contours, no connected port, an open contour, a contour that leaves its
- * plane by more than the tolerance, and coordinates that are not finite are reported with port,
- * cell and coordinate: as errors with empty outputs (InvalidContours = REFUSE), or in one warning
- * (LEAVE_OUT). So are contours that cross themselves or each other within one slice (CrossingContours), which by
+ * A connected port without contours, no connected port, and contours of which none can be used are
+ * errors, with empty outputs. Contours that are open, leave their plane by more than the tolerance,
+ * have no area, or coordinates that are not finite are mended or else left out (InvalidContours =
+ * MEND, the default): one warning counts them by kinds, with port, cell and coordinate of the first of
+ * each kind, and port 6 lists them all. With REFUSE they are errors, with LEAVE_OUT all of them are left
+ * out. So are contours that cross themselves or each other within one slice (CrossingContours), which by
  * default are repaired. Where the families contradict each other by more than ReportTolerance, one
  * warning says so, and the "Disagreement" array shows where. It also tells of contours that take no
  * part in the surface, of a surface that is inside out, of ExpectedComponents and ExpectedGenus that

@@ -12,8 +12,9 @@ namespace orthoslices
 {
 struct AssembleSettings
 {
-  double Tolerance = 0.0; ///< of planes and of ends that are joined, in world units
-  bool Mend = false;      ///< what is incomplete or not exact is mended, else it is a problem
+  /// Of planes, of ends that are joined, and of the width of flat loops, in world units.
+  double Tolerance = 0.0;
+  bool Mend = false; ///< what is incomplete or not exact is mended, else it is a problem
   /// With Mend, how far the vertices of a single slice may be off their plane, in world units.
   double AloneTolerance = 0.0;
   BorderContours AtBorder = BorderContours::CloseAlong; ///< with Mend

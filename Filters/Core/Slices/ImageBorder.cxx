@@ -20,6 +20,13 @@ constexpr int FewestEnds = 2;
 int DirectionOf(int side) { return side % 2 == 0 ? 1 : 0; }
 int WhichOf(int side) { return side == 1 || side == 2 ? 1 : 0; }
 
+/// Whether a curve does not lie along a side of the border.
+bool LeavesSide(const OpenCurve& curve, int direction, double side, double tolerance)
+{
+  return std::any_of(curve.Points.begin(), curve.Points.end(),
+    [&](const Point2& point) { return std::abs(point[direction] - side) > tolerance; });
+}
+
 /// An end of a curve, and where it lies on the way round the rectangle.
 struct BorderEnd
 {
@@ -251,8 +258,35 @@ int ImageBorder::SideOfEnd(const Point2& end, double distance) const
 bool ImageBorder::EndsAtBorder(const OpenCurve& curve) const
 {
   const double reach = std::max(this->Tolerance, curve.MeanSegment());
-  return curve.Points.size() > 1 && this->SideOfEnd(curve.End(0), reach) >= 0 &&
-    this->SideOfEnd(curve.End(1), reach) >= 0;
+  const int first = curve.Points.size() > 2 ? this->SideOfEnd(curve.End(0), reach) : -1;
+  const int last = first >= 0 ? this->SideOfEnd(curve.End(1), reach) : -1;
+  return last >= 0 &&
+    (first != last ||
+      LeavesSide(curve, DirectionOf(first), this->Side[DirectionOf(first)][WhichOf(first)],
+        this->Tolerance));
+}
+
+namespace
+{
+/// The loose ends of curves, of whatever axes, that lie on a plane of constant coordinate.
+int CountEnds(const std::vector<OpenCurve>& curves, int across, double coordinate, double tolerance)
+{
+  int ends = 0;
+  for (const OpenCurve& curve : curves)
+  {
+    const int direction = across == FirstAxis(curve.Axis) ? 0 : 1;
+    if (curve.Axis == across || curve.Points.size() < 3 ||
+      !LeavesSide(curve, direction, coordinate, tolerance))
+    {
+      continue;
+    }
+    for (const int end : { 0, 1 })
+    {
+      ends += std::abs(curve.End(end)[direction] - coordinate) <= tolerance ? 1 : 0;
+    }
+  }
+  return ends;
+}
 }
 
 void FindBorders(const std::vector<OpenCurve>& curves, std::array<ImageBorder, 3>& borders)
@@ -269,19 +303,8 @@ void FindBorders(const std::vector<OpenCurve>& curves, std::array<ImageBorder, 3
       {
         const int across = direction == 0 ? FirstAxis(axis) : SecondAxis(axis);
         const double side = border.Side[direction][which];
-        int ends = 0;
-        for (const OpenCurve& curve : curves)
-        {
-          // Of another axis the same coordinate is the first or the second; its planes have it, too.
-          const int place = across == FirstAxis(curve.Axis) ? 0 : 1;
-          for (const int end : { 0, 1 })
-          {
-            const bool isThere = curve.Axis != across && curve.Points.size() > 1 &&
-              std::abs(curve.End(end)[place] - side) <= border.Tolerance;
-            ends += isThere ? 1 : 0;
-          }
-        }
-        border.IsFound[direction][which] = ends >= FewestEnds;
+        border.IsFound[direction][which] =
+          CountEnds(curves, across, side, border.Tolerance) >= FewestEnds;
       }
     }
   }

@@ -46,6 +46,7 @@ struct Meeting
   std::size_t First = 0, Last = 0; ///< segments, by their first points
   double FirstShare = 0.0, LastShare = 0.0;
   double Trimmed = HUGE_VAL; ///< length of what lies before and after
+  double Before = 0.0;       ///< of what lies before
 
   bool IsFound() const { return this->Trimmed < HUGE_VAL; }
 };
@@ -144,8 +145,13 @@ void MeetingFinder::Consider(Meeting meeting, Meeting& best) const
   const double before = this->First.WayTo(meeting.First, meeting.FirstShare);
   const double after = this->Last.Total() - this->Last.WayTo(meeting.Last, meeting.LastShare);
   meeting.Trimmed = before + after;
+  meeting.Before = before;
+  // Of a part that is drawn twice either may go: the second one does, but for rounding.
+  const double rounding = 1e-9 * this->Last.Total();
+  const bool isBetter = meeting.Trimmed < best.Trimmed - rounding ||
+    (meeting.Trimmed <= best.Trimmed + rounding && before < best.Before);
   if (before <= GreatestShare * this->First.Total() &&
-    after <= GreatestShare * this->Last.Total() && meeting.Trimmed < best.Trimmed)
+    after <= GreatestShare * this->Last.Total() && isBetter)
   {
     best = meeting;
   }
