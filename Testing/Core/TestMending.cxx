@@ -70,14 +70,16 @@ TEST(Mending, ContoursThatLackTheirLastPoints)
   {
     const PieceSets whole = Slices(counts);
     const double volume = VolumeOf(whole);
+    std::size_t gaps = 0;
     for (std::uint64_t seed = 0; seed < 4; ++seed)
     {
       SCOPED_TRACE(seed);
       PieceSets sets = whole;
       LoseEnds(sets, 1.0, 0.1, seed);
       EXPECT_NEAR(VolumeOf(sets), volume, 0.02 * volume);
-      EXPECT_GT(CountMended(sets, ProblemKind::GapClosed), 0u);
+      gaps += CountMended(sets, ProblemKind::GapClosed);
     }
+    EXPECT_GT(gaps, 2u) << "shorter ones need no mending";
   }
 }
 

@@ -221,11 +221,12 @@ bool SetAssembler::CopyCurve(const PieceChains& chains, Index chain, OpenCurve& 
   const Index piece = chains.Links[chains.Offsets[chain]].Piece;
   curve.Axis = this->Input.Axis;
   curve.Cell = this->Input.Cell[piece];
-  // Where contours are collected there is room for one more.
+  // Where contours are collected there is room for one more. A single piece runs as it was drawn:
+  // open chains begin with an end that was found last.
   const std::size_t begin = this->Output.U.size();
-  for (Index i = chains.Offsets[chain]; i < chains.Offsets[chain + 1]; ++i)
+  for (Index i = chains.Offsets[chain + 1]; i-- > chains.Offsets[chain];)
   {
-    this->AddVertices(chains.Links[i]);
+    this->AddVertices({ chains.Links[i].Piece, !chains.Links[i].IsForward });
   }
   curve.Plane = this->CurrentW;
   for (std::size_t i = begin; i < this->Output.U.size(); ++i)

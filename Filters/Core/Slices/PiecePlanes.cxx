@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace orthoslices
 {
@@ -11,6 +12,11 @@ namespace
 {
 /// Vertices may be off their plane by this share of the distance between slices.
 constexpr double LittleShare = 0.1;
+
+/// How far from the median of a piece with noise its slice may lie, in terms of the greatest noise:
+/// other pieces of the slice are off on the other side, and some of them by more than their noise, as
+/// pieces that have lost points do not show all of it.
+constexpr double NoiseReach = 3.0;
 
 /// The plane of a piece, and how far its vertices are off it at most.
 struct PiecePlane
@@ -34,7 +40,7 @@ bool IsPlanar(const Pieces& pieces, Index piece, double tolerance)
   return true;
 }
 
-/// The planes of the real pieces whose coordinates are finite, ascending.
+/// The planes of the real pieces whose coordinates are finite.
 std::vector<PiecePlane> ListPlanes(const Pieces& pieces)
 {
   std::vector<PiecePlane> planes;
@@ -58,8 +64,6 @@ std::vector<PiecePlane> ListPlanes(const Pieces& pieces)
     }
     planes.push_back({ piece, median, noise });
   }
-  std::stable_sort(planes.begin(), planes.end(),
-    [](const PiecePlane& a, const PiecePlane& b) { return a.Coordinate < b.Coordinate; });
   return planes;
 }
 
@@ -75,30 +79,34 @@ double CoordinateOf(const std::vector<PiecePlane>& members)
       exact.push_back(plane.Coordinate);
     }
   }
-  const std::vector<double>& values = exact.empty() ? all : exact; // both ascend
+  std::vector<double>& values = exact.empty() ? all : exact;
+  std::sort(values.begin(), values.end());
   return values[(values.size() - 1) / 2];
 }
 
-/// The slices if noise up to `most` is noise, and pieces with more of it say nothing.
+/// The slices if noise up to `most` is noise, and pieces with more of it say nothing: intervals in which
+/// the slices of the pieces lie are taken together where they meet.
 std::vector<double> FindSlices(const std::vector<PiecePlane>& planes, double most)
 {
+  const auto radius = [most](const PiecePlane& plane)
+  { return plane.Noise > 0.0 ? NoiseReach * most : 0.0; };
+  std::vector<PiecePlane> order;
+  std::copy_if(planes.begin(), planes.end(), std::back_inserter(order),
+    [most](const PiecePlane& plane) { return plane.Noise <= most; });
+  std::stable_sort(order.begin(), order.end(),
+    [&](const PiecePlane& a, const PiecePlane& b)
+    { return a.Coordinate - radius(a) < b.Coordinate - radius(b); });
   std::vector<double> slices;
   std::vector<PiecePlane> members;
-  double reach = 0.0; ///< how far up the members say that their slice may lie
-  for (const PiecePlane& plane : planes)
+  double reach = -HUGE_VAL; ///< how far up the members say that their slice may lie
+  for (const PiecePlane& plane : order)
   {
-    if (plane.Noise > most)
-    {
-      continue;
-    }
-    const double radius = plane.Noise > 0.0 ? most : 0.0;
-    if (!members.empty() && plane.Coordinate - radius > reach)
+    if (!members.empty() && plane.Coordinate - radius(plane) > reach)
     {
       slices.push_back(CoordinateOf(members));
       members.clear();
     }
-    reach =
-      members.empty() ? plane.Coordinate + radius : std::max(reach, plane.Coordinate + radius);
+    reach = std::max(reach, plane.Coordinate + radius(plane));
     members.push_back(plane);
   }
   if (!members.empty())

@@ -23,8 +23,8 @@ struct PlaneShift
  * within `tolerance`, and then nothing is moved.
  *
  *  - A piece lies on the plane of the median of its vertices; how far the others are off is its
- *    noise. Pieces whose planes are nearer to each other than their noise are of one slice; pieces
- *    without noise are not, however near they are.
+ *    noise. Pieces whose planes are nearer to each other than a few times that are of one slice;
+ *    pieces without noise are not, however near they are.
  *  - Little is a tenth of the least distance between slices, which makes it certain which slice is
  *    meant; with a single slice it is `alone`. Noise beyond that says nothing about other pieces,
  *    and a piece with a vertex that is farther off stays as it is.
