@@ -14,8 +14,8 @@ namespace orthoslices
 namespace
 {
 /// How far vertices of a single slice may be off their plane, as a share of the diagonal of all
-/// contours: rounding to three digits.
-constexpr double AloneTolerance = 1e-3;
+/// contours: that no other slice is meant is certain, and a contour that leaves its plane by more is bent.
+constexpr double AloneTolerance = 1e-2;
 
 /// Diagonal of the bounding box of all finite coordinates of the input, without virtual pieces.
 double FindDiagonal(const std::array<Pieces, 3>& pieces)
