@@ -57,6 +57,7 @@ bool ReadContours(std::array<Pieces, 3>&& pieces, Pass& pass)
   PieceProblems problems = AssembleContours(std::move(pieces), settings, pass.Tables.Contours);
   pass.Result.Invalid = std::move(problems.Unusable);
   pass.Result.Mended = std::move(problems.Mended);
+  pass.Tables.Border = problems.Border;
   if (pass.Tables.Contours.Count() == 0)
   {
     // Nothing was mended, but all left out.
