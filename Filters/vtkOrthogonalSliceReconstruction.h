@@ -159,6 +159,7 @@ namespace orthoslices
 {
 struct Options;
 struct Reconstruction;
+struct SortedSlices;
 }
 
 class VTKFILTERSORTHOGONALSLICES_EXPORT vtkOrthogonalSliceReconstruction
@@ -533,7 +534,9 @@ private:
   // The steps of RequestData; checks that fail have reported an error.
   bool CheckProperties();
   bool CheckInputs(vtkInformationVector** inputs);
-  bool NeedsDoublePrecision(vtkInformationVector** inputs);
+  orthoslices::SortedSlices SortInputs(vtkInformationVector** inputs) const;
+  bool NeedsDoublePrecision(
+    vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
   void GetOptions(orthoslices::Options& options) const;
   bool CheckResult(const orthoslices::Reconstruction& result);
   void Report(orthoslices::Reconstruction& result);

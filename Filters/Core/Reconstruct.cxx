@@ -317,7 +317,7 @@ bool StageRunner::BuildGraph()
   this->Finish(Stage::BuildNodeGraph);
   result.Agreement =
     MeasureAgreement(contours, result.Grid, result.Crossings, result.Nodes, normals);
-  result.Members = { contours.Axis, contours.Plane, contours.Cell, contours.Virtual };
+  result.Members = { contours.Axis, contours.Plane, contours.Cell, contours.Virtual, {}, {} };
   this->Finish(Stage::MeasureAgreement);
   ThinArcs(this->Settings.ContourTolerance * MinMeanSpacing(result.Grid), result.Crossings,
     result.Nodes, this->Execute, result.Graph);
