@@ -53,6 +53,7 @@ void MapReport(const AxisFrame& frame, Reconstruction& result)
   };
   mapPlaces(result.Invalid);
   mapPlaces(result.CrossingProblems);
+  mapPlaces(result.Mended);
   mapPlaces(result.Repairs);
   mapPlaces(result.Undecided.Places);
   mapPlaces(result.Doubtful.Places);
@@ -68,7 +69,8 @@ void MapReport(const AxisFrame& frame, Reconstruction& result)
 /// Cells of the slices are numbers of polylines: names port, block and cell instead.
 void NameSources(const PolylineSources& from, Reconstruction& result)
 {
-  for (std::vector<Problem>* problems : { &result.Invalid, &result.CrossingProblems })
+  for (std::vector<Problem>* problems :
+    { &result.Invalid, &result.CrossingProblems, &result.Mended })
   {
     for (Problem& problem : *problems)
     {
