@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOrthogonalSliceReconstruction.h"
 
+#include "Bridge/CompareOthers.h"
 #include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
@@ -54,6 +55,11 @@ constexpr Choice<orthoslices::CrossingContours> CrossingContoursModes[] = {
   { Filter::REFUSE_CROSSING, orthoslices::CrossingContours::Refuse, "Refuse" },
   { Filter::LEAVE_OUT_CROSSING, orthoslices::CrossingContours::LeaveOut, "LeaveOut" }
 };
+constexpr Choice<orthoslices::FrameChoice> Frames[] = {
+  { Filter::AUTOMATIC_FRAME, orthoslices::FrameChoice::Automatic, "Automatic" },
+  { Filter::WORLD_FRAME, orthoslices::FrameChoice::World, "World" },
+  { Filter::GIVEN_FRAME, orthoslices::FrameChoice::Given, "Given" }
+};
 constexpr Choice<orthoslices::VirtualSlices> VirtualSlicesModes[] = {
   { Filter::AUTOMATIC_VIRTUAL_SLICES, orthoslices::VirtualSlices::Automatic, "Automatic" },
   { Filter::NO_VIRTUAL_SLICES, orthoslices::VirtualSlices::Off, "Off" },
@@ -97,7 +103,7 @@ constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
   return true;
 }
 static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
-    IsIndexed(CrossingContoursModes) && IsIndexed(VirtualSlicesModes) &&
+    IsIndexed(CrossingContoursModes) && IsIndexed(Frames) && IsIndexed(VirtualSlicesModes) &&
     IsIndexed(SeveralCyclesModes) && IsIndexed(Correspondences) && IsIndexed(PatchTypes) &&
     IsIndexed(CentralPoints),
   "The setters clamp properties to their first and last value");
@@ -141,8 +147,8 @@ void vtkOrthogonalSliceReconstruction::SetFamilyConnection(int family, vtkAlgori
 {
   if (family < 1 || family > InputPorts)
   {
-    vtkErrorMacro("Family " << family
-                            << " must be 1 (x-slices), 2 (y-slices), 3 (z-slices) or 4 (any).");
+    vtkErrorMacro(
+      "Family " << family << " must be 1 (x-slices), 2 (y-slices), 3 (z-slices) or 4 (any).");
     return;
   }
   this->SetInputConnection(family - 1, output);
@@ -212,12 +218,13 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   orthoslices::SortedSlices sorted = this->SortInputs(inputs);
   const bool doublePrecision = this->NeedsDoublePrecision(inputs, sorted);
   options.SinglePrecision = !doublePrecision;
-  if (!doublePrecision)
+  if (!doublePrecision && !sorted.Frame.IsWorld())
   {
     orthoslices::RoundToFloat(sorted.Slices);
   }
-  orthoslices::Reconstruction result = orthoslices::ReconstructSorted(
-    std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
+  const orthoslices::Polylines others = std::move(sorted.Others);
+  orthoslices::Reconstruction result =
+    orthoslices::ReconstructSorted(std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
   if (result.Stopped)
   {
     return 1;
@@ -228,10 +235,25 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   }
   this->Report(result);
   this->WriteOutputs(std::move(result), doublePrecision, outputs);
+  this->CompareOthers(others, outputs);
   return 1;
 }
 
-/// Weights and tolerances that are numbers; setters clamp the others.
+namespace
+{
+/// Nine values as three vectors.
+std::array<orthoslices::Point3, 3> GivenNormals(const double* values)
+{
+  std::array<orthoslices::Point3, 3> normals;
+  for (int i = 0; i < 9; ++i)
+  {
+    normals[i / 3][i % 3] = values[i];
+  }
+  return normals;
+}
+}
+
+/// Weights and tolerances that are numbers, and axes that are some; setters clamp the others.
 bool vtkOrthogonalSliceReconstruction::CheckProperties()
 {
   for (const double weight : this->AxisWeights)
@@ -241,6 +263,15 @@ bool vtkOrthogonalSliceReconstruction::CheckProperties()
       vtkErrorMacro("AxisWeights has " << weight << "; weights must be finite and not negative.");
       return false;
     }
+  }
+  orthoslices::AxisFrame given;
+  if (this->Frame == GIVEN_FRAME &&
+    !orthoslices::MakeGivenFrame(GivenNormals(this->FrameNormals), given))
+  {
+    vtkErrorMacro(
+      "FrameNormals must be the normals of three families of planes: three vectors that are "
+      "not nearly in one plane.");
+    return false;
   }
   // NaN is neither below nor above the range to which tolerances are clamped.
   for (const auto& tolerance : { std::make_pair("PlaneTolerance", this->PlaneTolerance),
@@ -268,8 +299,9 @@ bool vtkOrthogonalSliceReconstruction::CheckInputs(vtkInformationVector** inputs
 {
   if (this->GetTotalNumberOfInputConnections() == 0)
   {
-    vtkErrorMacro("No input: connect contours to port 0 (x-slices), 1 (y-slices), 2 (z-slices) or 3 "
-                  "(slices of any families).");
+    vtkErrorMacro(
+      "No input: connect contours to port 0 (x-slices), 1 (y-slices), 2 (z-slices) or 3 "
+      "(slices of any families).");
     return false;
   }
   vtkIdType cells = 0, vertices = 0;
@@ -290,8 +322,8 @@ bool vtkOrthogonalSliceReconstruction::CheckInputs(vtkInformationVector** inputs
   }
   if (vertices > MaxVertices)
   {
-    vtkErrorMacro("The input has " << vertices << " contour vertices, more than " << MaxVertices
-                                   << ".");
+    vtkErrorMacro(
+      "The input has " << vertices << " contour vertices, more than " << MaxVertices << ".");
     return false;
   }
   return true;
@@ -308,6 +340,8 @@ orthoslices::SortedSlices vtkOrthogonalSliceReconstruction::SortInputs(
     orthoslices::ReadPieces(vtkDataObject::GetData(inputs[port]), port, !round, lines);
   }
   orthoslices::FrameOptions options;
+  options.Choice = Frames[this->Frame].Value;
+  options.Given = GivenNormals(this->FrameNormals);
   options.PlaneTolerance = this->PlaneTolerance;
   return orthoslices::SortByPlanes(lines, options);
 }
@@ -324,10 +358,8 @@ bool vtkOrthogonalSliceReconstruction::NeedsDoublePrecision(
   for (int port = 0; port < InputPorts; ++port)
   {
     orthoslices::VisitPolyData(vtkDataObject::GetData(inputs[port]),
-      [&](vtkPolyData* data, orthoslices::Index)
-      {
-        anyDouble |=
-          data->GetPoints() != nullptr && data->GetPoints()->GetDataType() == VTK_DOUBLE;
+      [&](vtkPolyData* data, orthoslices::Index) {
+        anyDouble |= data->GetPoints() != nullptr && data->GetPoints()->GetDataType() == VTK_DOUBLE;
       });
   }
   return anyDouble;
@@ -378,9 +410,8 @@ bool vtkOrthogonalSliceReconstruction::CheckResult(const orthoslices::Reconstruc
     // Cells are counted from 0 below the first plane, in the array GridCell.
     if (result.Grid.Count(axis) >= VTK_UNSIGNED_SHORT_MAX)
     {
-      vtkErrorMacro("There are " << result.Grid.Count(axis) << " "
-                                 << orthoslices::AxisNames[axis] << "-slices, more than "
-                                 << VTK_UNSIGNED_SHORT_MAX - 1
+      vtkErrorMacro("There are " << result.Grid.Count(axis) << " " << orthoslices::AxisNames[axis]
+                                 << "-slices, more than " << VTK_UNSIGNED_SHORT_MAX - 1
                                  << "; is PlaneTolerance too small?");
       return false;
     }
@@ -424,6 +455,20 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   this->UpdateProgress(1.0);
 }
 
+/// Contours on planes of no family: how far the surface is from them.
+void vtkOrthogonalSliceReconstruction::CompareOthers(
+  const orthoslices::Polylines& others, vtkInformationVector* outputs)
+{
+  const std::vector<orthoslices::Agreement> distances =
+    orthoslices::MeasureDistances(others, vtkPolyData::GetData(outputs, 0));
+  orthoslices::WriteOthers(others, distances, vtkTable::GetData(outputs, 3));
+  const std::string text = orthoslices::DescribeOthers(others, distances);
+  if (!text.empty())
+  {
+    vtkWarningMacro(<< text);
+  }
+}
+
 void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -432,6 +477,13 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InvalidContours: " << InvalidContoursModes[this->InvalidContours].Name << "\n";
   os << indent << "CrossingContours: " << CrossingContoursModes[this->CrossingContours].Name
      << "\n";
+  os << indent << "Frame: " << Frames[this->Frame].Name << "\n";
+  os << indent << "FrameNormals:";
+  for (const double value : this->FrameNormals)
+  {
+    os << " " << value;
+  }
+  os << "\n";
   os << indent << "InsertMissingContours: " << (this->InsertMissingContours ? "On" : "Off") << "\n";
   os << indent << "VirtualSlices: " << VirtualSlicesModes[this->VirtualSlices].Name << "\n";
   os << indent << "VirtualSliceSpacing: " << this->VirtualSliceSpacing << "\n";

@@ -169,6 +169,7 @@ class vtkTable;
 namespace orthoslices
 {
 struct Options;
+struct Polylines;
 struct Reconstruction;
 struct SortedSlices;
 }
@@ -198,6 +199,13 @@ public:
     REPAIR_CROSSING = 0,
     REFUSE_CROSSING = 1,
     LEAVE_OUT_CROSSING = 2
+  };
+
+  enum FrameMode
+  {
+    AUTOMATIC_FRAME = 0,
+    WORLD_FRAME = 1,
+    GIVEN_FRAME = 2
   };
 
   enum SeveralCyclesMode
@@ -279,6 +287,32 @@ public:
   void SetCrossingContoursToRepair() { this->SetCrossingContours(REPAIR_CROSSING); }
   void SetCrossingContoursToRefuse() { this->SetCrossingContours(REFUSE_CROSSING); }
   void SetCrossingContoursToLeaveOut() { this->SetCrossingContours(LEAVE_OUT_CROSSING); }
+  ///@}
+
+  ///@{
+  /**
+   * The axes across which the planes of the contours lie. Automatic (default): those of the world if
+   * all contours lie on planes across them, as far as noise lets one see; else they are found from
+   * the contours, whose planes may be turned any way, and need not be at right angles to each other
+   * (see Inputs). World: those of the world, whatever the contours look like; those of ports 0, 1 and
+   * 2 belong to x, y and z unless they lie on a plane across another axis. Given: FrameNormals.
+   */
+  vtkSetClampMacro(Frame, int, AUTOMATIC_FRAME, GIVEN_FRAME);
+  vtkGetMacro(Frame, int);
+  void SetFrameToAutomatic() { this->SetFrame(AUTOMATIC_FRAME); }
+  void SetFrameToWorld() { this->SetFrame(WORLD_FRAME); }
+  void SetFrameToGiven() { this->SetFrame(GIVEN_FRAME); }
+  ///@}
+
+  ///@{
+  /**
+   * With Frame Given, the normals of the planes of the x-, y- and z-slices, one after another, of any
+   * length; of slices of an image, the columns of its direction matrix. If they are left-handed, the
+   * third one is reversed. Three that are nearly in one plane are an error. Default: the axes of the
+   * world.
+   */
+  vtkSetVectorMacro(FrameNormals, double, 9);
+  vtkGetVectorMacro(FrameNormals, double, 9);
   ///@}
 
   ///@{
@@ -547,13 +581,13 @@ private:
   bool CheckProperties();
   bool CheckInputs(vtkInformationVector** inputs);
   orthoslices::SortedSlices SortInputs(vtkInformationVector** inputs) const;
-  bool NeedsDoublePrecision(
-    vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
+  bool NeedsDoublePrecision(vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
   void GetOptions(orthoslices::Options& options) const;
   bool CheckResult(const orthoslices::Reconstruction& result);
   void Report(orthoslices::Reconstruction& result);
   void WriteOutputs(
     orthoslices::Reconstruction&& result, bool doublePrecision, vtkInformationVector* outputs);
+  void CompareOthers(const orthoslices::Polylines& others, vtkInformationVector* outputs);
 
   double PlaneTolerance = 1e-5;
   int Orientation = ORIENT_BY_NESTING;
@@ -574,6 +608,8 @@ private:
   int CentralPoint = LEAST_SQUARES;
   double AxisWeights[3] = { 1.0, 1.0, 1.0 };
   double ReportTolerance = 1e-3;
+  int Frame = AUTOMATIC_FRAME;
+  double FrameNormals[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
   bool InsertMissingContours = true;
   int VirtualSlices = AUTOMATIC_VIRTUAL_SLICES;
   double VirtualSliceSpacing = 0.0;

@@ -52,8 +52,8 @@ std::vector<PlaneFamily> Cluster(const std::vector<PieceGroup>& groups, const Pl
 {
   std::vector<Index> order(groups.size());
   std::iota(order.begin(), order.end(), 0);
-  order.erase(std::remove_if(order.begin(), order.end(),
-                [&](Index i) { return !groups[i].IsPlanar(); }),
+  order.erase(
+    std::remove_if(order.begin(), order.end(), [&](Index i) { return !groups[i].IsPlanar(); }),
     order.end());
   std::stable_sort(order.begin(), order.end(),
     [&](Index a, Index b) { return groups[a].Weight() > groups[b].Weight(); });
