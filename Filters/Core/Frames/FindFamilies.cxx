@@ -82,6 +82,14 @@ std::vector<PlaneFamily> Cluster(const std::vector<PieceGroup>& groups, const Pl
   return families;
 }
 
+/// Whether contours make a family, where `largest` is the weight of the greatest contour of all.
+bool SaysEnough(const PlaneFamily& family, double largest)
+{
+  const bool isLarge = family.Largest >= LeastShare * largest;
+  const bool isPlane = family.Points.Points > 3; // any three points lie on one
+  return (isLarge && isPlane) || family.Contours >= LeastContours;
+}
+
 /// Normals of which an axis of the world says as much become that.
 void PreferWorld(const PlaneNoise& noise, PlaneFamily& family)
 {
@@ -228,8 +236,7 @@ std::vector<PlaneFamily> FindFamilies(
   }
   MergeAlike(families);
   families.erase(std::remove_if(families.begin(), families.end(),
-                   [&](const PlaneFamily& f)
-                   { return f.Largest < LeastShare * largest && f.Contours < LeastContours; }),
+                   [&](const PlaneFamily& family) { return !SaysEnough(family, largest); }),
     families.end());
   std::stable_sort(families.begin(), families.end(),
     [](const PlaneFamily& a, const PlaneFamily& b) { return a.Weight > b.Weight; });

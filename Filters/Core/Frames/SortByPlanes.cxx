@@ -170,7 +170,8 @@ private:
     {
       return nearest;
     }
-    if (group.IsPlanar() && nearest != NoAxis)
+    // Any three points lie on a plane: it says nothing that they do.
+    if (group.IsPlanar() && group.Points.Points > 3 && nearest != NoAxis)
     {
       return NoAxis;
     }
