@@ -217,7 +217,9 @@ TEST(ReconstructSorted, NamesPortsAndCells)
   Polylines open = lines;
   open.Closed[1] = 0;
   open.X[open.Offsets[1]] = std::nan("");
-  const Reconstruction refused = RunCore(open);
+  Options strict;
+  strict.Invalid = InvalidContours::Refuse;
+  const Reconstruction refused = RunCore(open, strict);
   ASSERT_FALSE(refused.Invalid.empty());
   EXPECT_EQ(refused.Invalid[0].Port, 2);
   EXPECT_EQ(refused.Invalid[0].Cell, 1);
