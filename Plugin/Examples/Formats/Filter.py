@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filters of this project, called from Python: contours in, closed surfaces out.
+
+The package orthogonalslices is found on Python's path or in the build folders of the repository that
+this file lies in. It goes with the Python of plain VTK, with Debian's python3-paraview and with
+pvpython, whichever it was built with.
+"""
+
+import glob
+import importlib
+import os
+import sys
+
+import numpy
+from vtkmodules.vtkCommonCore import vtkCommand
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from .Images import first_sample, make_image, samples_of, steps_of
+from .Structures import FormatError, Structure
+
+MODULE = "orthogonalslices.vtkFiltersOrthogonalSlices"
+PACKAGES = ("build/paraview/lib/python3/dist-packages", "build/demo/paraview/lib/python3/dist-packages",
+            "build/vtk/lib/python3/dist-packages", "build/*/lib/python3/dist-packages")
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
+
+
+def load_filters():
+    """The module with the wrapped classes."""
+    places = [None] + [place for pattern in PACKAGES for place in glob.glob(os.path.join(ROOT, pattern))]
+    for place in places:
+        if place:
+            sys.path.insert(0, place)
+        try:
+            return importlib.import_module(MODULE)
+        except ImportError:
+            if place:
+                sys.path.remove(place)
+    raise FormatError("Python finds no package orthogonalslices that goes with its VTK: put "
+                      "lib/python3/dist-packages of the build folder into PYTHONPATH.")
+
+
+def run(filter_object):
+    """Updates a filter; its error becomes an exception, and its warning goes where VTK's do."""
+    errors = []
+
+    def collect(_object, _event, text):
+        errors.append(text)
+
+    collect.CallDataType = "string0"
+    tags = [(thing, thing.AddObserver(vtkCommand.ErrorEvent, collect))
+            for thing in (filter_object, filter_object.GetExecutive())]
+    filter_object.Update()
+    for thing, tag in tags:
+        thing.RemoveObserver(tag)
+    if errors:
+        raise FormatError(" ".join(" ".join(text.partition("): ")[2] or text for text in errors).split()))
+
+
+def reconstruct(structure, properties=None):
+    """The closed surface of one structure. `properties`: names of vtkOrthogonalSliceReconstruction
+    without "Set", and their values."""
+    filters = load_filters()
+    reconstruction = filters.vtkOrthogonalSliceReconstruction()
+    for axis, contours in enumerate(structure.contours()):
+        if contours.GetNumberOfLines() > 0:
+            reconstruction.SetInputData(axis, contours)
+    for name, value in (properties or {}).items():
+        setter = getattr(reconstruction, "Set" + name, None)
+        if setter is None:
+            raise FormatError(f"The filter has no property {name}.")
+        setter(value)
+    run(reconstruction)
+    surface = vtkPolyData()
+    surface.ShallowCopy(reconstruction.GetOutput())
+    if surface.GetNumberOfPolys() == 0:
+        raise FormatError("The surface is empty.")
+    return surface
+
+
+def structures_of_image(image, names, slices):
+    """A structure for each label of an image, with contours on at most `slices` planes of its samples
+    along each axis of the image."""
+    samples = samples_of(image)
+    labels = numpy.unique(samples)
+    if not numpy.array_equal(labels, labels.astype(numpy.int64)):
+        raise FormatError("The image has values that are no whole numbers: it is no label image.")
+    return [Structure(names.get(int(label), f"label {int(label)}"), int(label),
+                      slices=slices_of_label(image, label, slices)) for label in labels if label > 0]
+
+
+def slices_of_label(image, label, slices):
+    """Contours around the samples with one label, on x-, y- and z-slices or on those of the image."""
+    samples = samples_of(image)
+    inside = samples == label
+    box = []
+    for axis in range(3):
+        others = tuple(other for other in range(3) if other != axis)
+        filled = numpy.flatnonzero(inside.any(axis=others))
+        box.append(slice(filled[0], filled[-1] + 1))
+    lowest = numpy.array([part.start for part in reversed(box)])
+    steps = steps_of(image)
+    part = make_image(inside[tuple(box)].astype(numpy.uint8), steps, first_sample(image) + steps @ lowest)
+    slicer = load_filters().vtkOrthogonalSlicer()
+    slicer.SetInputData(part)
+    slicer.UseLabelOn()
+    slicer.SetLabelValue(1)
+    slicer.SetNumberOfSlices(slices, slices, slices)
+    run(slicer)
+    contours = [vtkPolyData() for _ in range(3)]
+    for axis, data in enumerate(contours):
+        data.ShallowCopy(slicer.GetOutput(axis))
+    return contours
