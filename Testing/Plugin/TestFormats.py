@@ -222,6 +222,18 @@ class LabelImages(FormatTest):
         numpy.testing.assert_allclose(surface.GetCenter(), self.center(steps), atol=0.3)
         self.assertAlmostEqual(volume_of(reconstruct(box)), 4 * 4 * 6, delta=0.1 * 96)
 
+    def test_blur_takes_the_steps_out(self):
+        for axes in (PERMUTED, OBLIQUE):
+            steps = axes * SPACING
+            path = self.path("ball.nrrd")
+            files.write_nrrd(path, self.samples(steps), steps, ORIGIN)
+            deviations = []
+            for blur in (0.0, 0.7):
+                ball, _ = read_structures(path, blur=blur)
+                points = numpy.vstack([loop for piece in ball.contours() for loop in loops_of(piece)])
+                deviations.append(numpy.std(numpy.linalg.norm(points - self.center(steps), axis=1)))
+            self.assertLess(deviations[1], 0.7 * deviations[0])
+
     def test_segments_of_slicer_keep_layers_and_names(self):
         first = files.ball_labels(self.SHAPE, (10, 12, 10), 6, 1)
         second = files.ball_labels(self.SHAPE, (14, 12, 10), 6, 1) # overlaps the first one

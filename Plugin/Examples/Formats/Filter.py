@@ -9,12 +9,14 @@ pvpython, whichever it was built with.
 
 import glob
 import importlib
+import math
 import os
 import sys
 
 import numpy
 from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
 
 from .Images import first_sample, make_image, samples_of, steps_of
 from .Structures import FormatError, Structure
@@ -78,36 +80,55 @@ def reconstruct(structure, properties=None):
     return surface
 
 
-def structures_of_image(image, names, slices):
+def structures_of_image(image, names, slices, blur=0.0):
     """A structure for each label of an image, with contours on at most `slices` planes of its samples
-    along each axis of the image."""
+    along each axis of the image; `blur` as in slices_of_label."""
     samples = samples_of(image)
     labels = numpy.unique(samples)
     if not numpy.array_equal(labels, labels.astype(numpy.int64)):
         raise FormatError("The image has values that are no whole numbers: it is no label image.")
     return [Structure(names.get(int(label), f"label {int(label)}"), int(label),
-                      slices=slices_of_label(image, label, slices)) for label in labels if label > 0]
+                      slices=slices_of_label(image, label, slices, blur))
+            for label in labels if label > 0]
 
 
-def slices_of_label(image, label, slices):
-    """Contours around the samples with one label, on x-, y- and z-slices or on those of the image."""
-    samples = samples_of(image)
-    inside = samples == label
-    box = []
-    for axis in range(3):
-        others = tuple(other for other in range(3) if other != axis)
-        filled = numpy.flatnonzero(inside.any(axis=others))
-        box.append(slice(filled[0], filled[-1] + 1))
-    lowest = numpy.array([part.start for part in reversed(box)])
-    steps = steps_of(image)
-    part = make_image(inside[tuple(box)].astype(numpy.uint8), steps, first_sample(image) + steps @ lowest)
+def slices_of_label(image, label, slices, blur=0.0):
+    """Contours around the samples with one label, on x-, y- and z-slices or on those of the image.
+
+    They run halfway between the samples inside and outside, in steps. With `blur`, the samples are
+    spread by a Gaussian of so many samples first, and the contours run where half of them are inside:
+    that takes the steps out, and with them what is thinner than about twice `blur`."""
+    part = part_of_label(image, label, margin=math.ceil(3 * blur))
     slicer = load_filters().vtkOrthogonalSlicer()
-    slicer.SetInputData(part)
-    slicer.UseLabelOn()
-    slicer.SetLabelValue(1)
+    slicer.SetInputData(blurred(part, blur) if blur > 0 else part)
+    slicer.SetIsoValue(0.5)
     slicer.SetNumberOfSlices(slices, slices, slices)
     run(slicer)
     contours = [vtkPolyData() for _ in range(3)]
     for axis, data in enumerate(contours):
         data.ShallowCopy(slicer.GetOutput(axis))
     return contours
+
+
+def part_of_label(image, label, margin):
+    """The part of an image around one label, whose samples are 1, with more of zeros on each side."""
+    inside = samples_of(image) == label
+    box = []
+    for axis in range(3):
+        others = tuple(other for other in range(3) if other != axis)
+        filled = numpy.flatnonzero(inside.any(axis=others))
+        box.append(slice(filled[0], filled[-1] + 1))
+    lowest = numpy.array([part.start - margin for part in reversed(box)])
+    steps = steps_of(image)
+    samples = numpy.pad(inside[tuple(box)].astype(numpy.float32), margin)
+    return make_image(samples, steps, first_sample(image) + steps @ lowest)
+
+
+def blurred(image, deviation):
+    """An image with its samples spread by a Gaussian of so many samples."""
+    gauss = vtkImageGaussianSmooth()
+    gauss.SetInputData(image)
+    gauss.SetStandardDeviations(deviation, deviation, deviation)
+    gauss.SetRadiusFactors(3, 3, 3)
+    gauss.Update()
+    return make_image(samples_of(gauss.GetOutput()), steps_of(image), first_sample(image))

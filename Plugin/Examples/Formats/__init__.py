@@ -22,17 +22,17 @@ from .Structures import FormatError, Structure, loops_of, merged
 TABLES = (".csv", ".tsv", ".txt", ".xyz")
 
 
-def read_structures(path, voxel=(1.0, 1.0, 1.0), slices=64):
+def read_structures(path, voxel=(1.0, 1.0, 1.0), slices=64, blur=0.0):
     """The structures of a file. `voxel`: the distance of samples along x, y and z, where a format
     counts pixels and slices. `slices`: label images are cut on at most so many planes of their
-    samples along each of their axes."""
+    samples along each of their axes; `blur`: after a Gaussian of so many samples took their steps out."""
     if not os.path.exists(path):
         raise FormatError(f"There is no {path}.")
     name = path.lower()
     if name.endswith(".mrk.json"):
         return Markups.read_markups(path)
     if LabelMaps.ending(path):
-        return read_labels(path, slices)
+        return read_labels(path, slices, blur)
     end = os.path.splitext(name)[1]
     if end in TABLES:
         return Tables.read_table(path, voxel)
@@ -52,10 +52,10 @@ def is_dicom(path):
         return file.read(132)[128:] == b"DICM"
 
 
-def read_labels(path, slices):
+def read_labels(path, slices, blur):
     from .Filter import structures_of_image
     return [structure for image, names in LabelMaps.read_label_images(path)
-            for structure in structures_of_image(image, names, slices)]
+            for structure in structures_of_image(image, names, slices, blur)]
 
 
 def read_vtk(path):
