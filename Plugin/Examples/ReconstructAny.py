@@ -20,6 +20,7 @@ OUT, by its ending:
     .nrrd .mha .nii(.gz) .vti  label image, on the grid of --grid, of --spacing or of a label image IN
 
     --list                 say what is in the files, and reconstruct nothing (no OUT then)
+    --contours FILE.vtp    write the contours, too, to look at
     --structure NAME       only this structure (may be given several times)
     --slices N             cut label images on at most N planes along each axis (default 64)
     --blur S               take the steps out of label images with a Gaussian of S samples, as 0.7
@@ -34,6 +35,7 @@ is reported and does not keep the others from being written; the exit status is 
 """
 
 import argparse
+import os
 import sys
 
 from vtkmodules.vtkFiltersCore import vtkMassProperties
@@ -49,6 +51,7 @@ def parse(arguments):
     parser = argparse.ArgumentParser(usage="ReconstructAny.py IN [IN ...] OUT [options]", add_help=False)
     parser.add_argument("files", nargs="+")
     parser.add_argument("--list", action="store_true")
+    parser.add_argument("--contours")
     parser.add_argument("--structure", action="append")
     parser.add_argument("--slices", type=int, default=64)
     parser.add_argument("--blur", type=float, default=0.0)
@@ -113,20 +116,34 @@ def reconstruct_all(structures, properties):
     return surfaces, len(structures) - len(surfaces)
 
 
+def check_out(options):
+    """Before anything takes time: whether the result can be written."""
+    out = options.out.lower()
+    if not out.endswith(Surfaces.ENDINGS + LabelMaps.WRITTEN):
+        raise FormatError(f"{options.out}: surfaces are written as {', '.join(Surfaces.ENDINGS)}, label "
+                          f"images as {', '.join(LabelMaps.WRITTEN)}.")
+    if not os.path.isdir(os.path.dirname(options.out) or "."):
+        raise FormatError(f"There is no folder for {options.out}.")
+    if LabelMaps.ending(options.out) and not (options.spacing or grid_file(options)):
+        raise FormatError("A label image needs a grid: give --grid or --spacing.")
+
+
+def grid_file(options):
+    """The image whose grid a label image gets: the one given, or the first that is read."""
+    return options.grid or next((path for path in options.files if LabelMaps.ending(path)), None)
+
+
 def grid_for(options, surfaces):
     if options.spacing:
         return Surfaces.make_grid(surfaces, options.spacing)
-    images = [options.grid] if options.grid else [
-        path for path in options.files if LabelMaps.ending(path)]
-    if not images:
-        raise FormatError("A label image needs a grid: give --grid or --spacing.")
-    return LabelMaps.read_label_images(images[0])[0][0]
+    return LabelMaps.read_label_images(grid_file(options))[0][0]
 
 
 def write_all(options, surfaces):
     if LabelMaps.ending(options.out):
         image = Surfaces.draw_labels(surfaces, grid_for(options, surfaces))
-        LabelMaps.write_label_image(image, options.out)
+        names = {structure.label: structure.name for structure, _ in surfaces}
+        LabelMaps.write_label_image(image, options.out, names)
         return [options.out]
     return Surfaces.write_surfaces(surfaces, options.out)
 
@@ -134,11 +151,15 @@ def write_all(options, surfaces):
 def main(arguments):
     options = parse(arguments)
     try:
+        if options.out:
+            check_out(options)
         structures = read_all(options)
         if options.list:
             for structure in structures:
                 print(f"{structure.label:4} {structure.name}: {structure.number_of_contours()} contours")
             return 0
+        if options.contours:
+            Surfaces.write_contours(structures, options.contours)
         surfaces, failed = reconstruct_all(structures, properties_of(options.set))
         if surfaces:
             print("Written: " + ", ".join(write_all(options, surfaces)))

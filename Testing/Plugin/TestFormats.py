@@ -22,12 +22,17 @@ sys.path.insert(0, os.path.join(HERE, "..", "..", "Plugin", "Examples"))
 
 import FormatFiles as files
 import ReconstructAny
-from Formats import Dicom, LabelMaps, Surfaces, read_structures
+from Formats import Dicom, LabelMaps, Stencil, Surfaces, read_structures
 from Formats.Filter import reconstruct
 from Formats.Images import first_sample, samples_of, steps_of
 from Formats.Structures import FormatError, Structure, loops_of
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties
-from vtkmodules.vtkFiltersCore import vtkCleanPolyData
+from vtkmodules.vtkFiltersCore import (
+    vtkCleanPolyData,
+    vtkFeatureEdges,
+    vtkMassProperties,
+    vtkTriangleFilter,
+)
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
@@ -474,6 +479,27 @@ class Results(FormatTest):
         self.assertEqual(set(numpy.unique(samples_of(image))), {0, 4, 9})
 
 
+    def test_both_ways_to_fill_a_surface(self):
+        """Rows cut here fill the same samples as VTK's stencil. Of a box whose faces lie on samples
+        they fill those of one face of two, and none outside."""
+        box = vtkCubeSource()
+        box.SetBounds(2, 7, 3, 9, 1, 4.5)
+        faces = vtkTriangleFilter()
+        faces.SetInputConnection(box.GetOutputPort())
+        clean = vtkCleanPolyData()
+        clean.SetInputConnection(faces.GetOutputPort())
+        clean.Update()
+        inside = Stencil.inside_by_rows(clean.GetOutput(), (8, 12, 10))
+        expected = numpy.zeros((8, 12, 10), dtype=bool)
+        expected[2:5, 4:10, 2:7] = True
+        numpy.testing.assert_array_equal(inside, expected)
+        surface = Surfaces.moved(self.surfaces()[0][1], numpy.eye(3) * 1.7, (-12.3, -11.1, -10.7))
+        rows = Stencil.inside_by_rows(surface, (40, 40, 40))
+        self.assertAlmostEqual(rows.sum() / volume_of(surface), 1.0, delta=0.005)
+        if Stencil.vtkPolyDataToImageStencil is not None:
+            numpy.testing.assert_array_equal(rows, Stencil.inside_by_stencil(surface, (40, 40, 40)))
+
+
 class CommandLine(FormatTest):
     def run_script(self, *arguments):
         out, errors = io.StringIO(), io.StringIO()
@@ -520,6 +546,14 @@ class CommandLine(FormatTest):
                                                     "3 c: 10 contours".split()))
         status, out, _ = self.run_script(table, self.path("c.nii.gz"), "--structure", "c", "--spacing", "1")
         self.assertEqual(status, 0)
+        self.run_script(table, self.path("all.seg.nrrd"), "--spacing", "2", "--contours",
+                        self.path("contours.vtp"))
+        again = read_structures(self.path("contours.vtp"))
+        self.assertEqual([(one.label, one.name, len(one.loops)) for one in again],
+                         [(1, "a", 10), (2, "b", 10), (3, "c", 10)])
+        numpy.testing.assert_array_equal(again[2].loops[4][:-1], files.ball_stack(center=(60, 0, 0))[4])
+        (image, names), = LabelMaps.read_label_images(self.path("all.seg.nrrd"))
+        self.assertEqual(names, {1: "a", 2: "b", 3: "c"})
         (image, _), = LabelMaps.read_label_images(self.path("c.nii.gz"))
         self.assertAlmostEqual(numpy.sum(samples_of(image) == 3) / BALL, 1.0, delta=0.02)
         status, _, errors = self.run_script(table, self.path("c.stl"), "--structure", "d")
@@ -541,6 +575,8 @@ class CommandLine(FormatTest):
                 ((__file__, "o.stl"), f"{__file__} is of no format that is read here.\n")):
             self.assertEqual(self.run_script(*arguments), (1, "", sentence))
         table = self.table("ball.csv", files.ball_stack())
+        self.assertEqual(self.run_script(table, self.path("none/o.stl"))[2],
+                         f"There is no folder for {self.path('none/o.stl')}.\n")
         self.assertEqual(self.run_script(table, self.path("o.nrrd"))[2],
                          "A label image needs a grid: give --grid or --spacing.\n")
         self.assertRegex(self.run_script(table, self.path("o.doc"))[2], "surfaces are written as")

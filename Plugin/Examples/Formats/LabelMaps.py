@@ -148,10 +148,11 @@ def write_nifti(image, path):
     writer.Write()
 
 
-def write_label_image(image, path):
+def write_label_image(image, path, names=None):
+    """The ending says how; a NRRD has the names of the labels ({label: name}), too."""
     end = ending(path)
     if end == ".nrrd":
-        write_nrrd(image, path)
+        write_nrrd(image, path, names)
     elif end == ".mha":
         write_meta_image(image, path)
     elif end in (".nii", ".nii.gz"):

@@ -111,7 +111,8 @@ def segment_names(keys, layer):
     return names
 
 
-def write_nrrd(image, path):
+def write_nrrd(image, path, names=None):
+    """With names of labels, 3D Slicer takes a .seg.nrrd for a segmentation."""
     samples = samples_of(image)
     steps, origin = steps_of(image), first_sample(image)
 
@@ -123,7 +124,10 @@ def write_nrrd(image, path):
               "sizes: " + " ".join(map(str, image.GetDimensions())),
               "space directions: " + " ".join(vector(steps[:, axis]) for axis in range(3)),
               "kinds: domain domain domain", "endian: little", "encoding: gzip",
-              "space origin: " + vector(origin), "", ""]
+              "space origin: " + vector(origin)]
+    for index, (label, name) in enumerate(sorted((names or {}).items())):
+        for key, value in (("ID", f"Segment_{label}"), ("Name", name), ("LabelValue", label), ("Layer", 0)):
+            header.append(f"Segment{index}_{key}:={value}")
     with open(path, "wb") as file:
-        file.write("\n".join(header).encode())
+        file.write(("\n".join(header) + "\n\n").encode())
         file.write(gzip.compress(samples.astype(samples.dtype.newbyteorder("<")).tobytes()))

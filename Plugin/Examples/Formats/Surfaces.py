@@ -8,14 +8,14 @@ import re
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
-from vtkmodules.vtkImagingStencil import vtkImageStencil, vtkPolyDataToImageStencil
 from vtkmodules.vtkIOGeometry import vtkOBJWriter, vtkSTLWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from .Images import first_sample, make_image, samples_of, steps_of
+from .Stencil import samples_inside
 from .Structures import FormatError
 
 ENDINGS = (".stl", ".obj", ".ply", ".vtp")
@@ -43,6 +43,12 @@ def write_surfaces(surfaces, path):
     return names
 
 
+def write_contours(structures, path):
+    """The contours of all structures in one .vtp, with the cell array Label."""
+    write(labelled([(structure, piece) for structure in structures
+                    for piece in structure.contours() if piece.GetNumberOfLines() > 0]), path)
+
+
 def write(surface, path):
     end = os.path.splitext(path)[1].lower()
     writers = {".stl": vtkSTLWriter, ".obj": vtkOBJWriter, ".ply": vtkPLYWriter,
@@ -61,7 +67,8 @@ def write(surface, path):
 
 
 def labelled(surfaces):
-    """All surfaces in one, with the cell array Label, and the labels and names as field data."""
+    """All surfaces in one, with the cell array Label, and the labels and names as field data. A
+    structure may come several times."""
     append = vtkAppendPolyData()
     labels, names = vtkIntArray(), vtkStringArray()
     labels.SetName("Labels")
@@ -74,8 +81,9 @@ def labelled(surfaces):
         array.SetName("Label")
         part.GetCellData().AddArray(array)
         append.AddInputData(part)
-        labels.InsertNextValue(structure.label)
-        names.InsertNextValue(structure.name)
+    for label, name in {structure.label: structure.name for structure, _ in surfaces}.items():
+        labels.InsertNextValue(label)
+        names.InsertNextValue(name)
     append.Update()
     result = append.GetOutput()
     if len(surfaces) == 1:
@@ -104,22 +112,12 @@ def draw_labels(surfaces, grid):
     steps, origin = steps_of(grid), first_sample(grid)
     highest = max(structure.label for structure, _ in surfaces)
     kind = numpy.uint8 if highest < 256 else numpy.uint16 if highest < 65536 else numpy.int32
-    # VTK's stencils know no directions: the surfaces are drawn in the grid's indices.
-    drawn = vtkImageData()
-    drawn.ShallowCopy(make_image(numpy.zeros(samples_of(grid).shape, dtype=kind), numpy.eye(3), (0, 0, 0)))
+    labels = numpy.zeros(samples_of(grid).shape, dtype=kind)
     to_indices = numpy.linalg.inv(steps)
     for structure, surface in surfaces:
-        stencil = vtkPolyDataToImageStencil()
-        stencil.SetInputData(moved(surface, to_indices, origin))
-        stencil.SetOutputWholeExtent(drawn.GetExtent())
-        paint = vtkImageStencil()
-        paint.SetInputData(drawn)
-        paint.SetStencilConnection(stencil.GetOutputPort())
-        paint.ReverseStencilOn()
-        paint.SetBackgroundValue(structure.label)
-        paint.Update()
-        drawn = paint.GetOutput()
-    return make_image(samples_of(drawn), steps, origin)
+        inside = samples_inside(moved(surface, to_indices, origin), labels.shape)
+        labels[inside] = structure.label
+    return make_image(labels, steps, origin)
 
 
 def moved(surface, matrix, origin):

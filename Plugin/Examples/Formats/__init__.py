@@ -70,9 +70,20 @@ def read_vtk(path):
     labels = data.GetCellData().GetArray("Label")
     if labels is None:
         return [Structure("contours", loops=loops)]
+    names = names_of(data.GetFieldData())
     structures = {}
     # Cells of a vtkPolyData count vertices first, then lines, then polygons.
     for cell, loop in enumerate(loops, data.GetNumberOfVerts()):
         label = int(labels.GetTuple1(cell))
-        structures.setdefault(label, Structure(f"label {label}", label)).loops.append(loop)
+        structures.setdefault(label, Structure(names.get(label, f"label {label}"),
+                                               label)).loops.append(loop)
     return [structures[label] for label in sorted(structures)]
+
+
+def names_of(fields):
+    """Field data Labels and Names, as Surfaces writes them: {label: name}."""
+    labels, names = fields.GetArray("Labels"), fields.GetAbstractArray("Names")
+    if labels is None or names is None:
+        return {}
+    return {int(labels.GetTuple1(i)): str(names.GetValue(i))
+            for i in range(min(labels.GetNumberOfTuples(), names.GetNumberOfValues()))}
