@@ -7,8 +7,8 @@ this file lies in. It goes with the Python of plain VTK, with Debian's python3-p
 pvpython, whichever it was built with.
 """
 
-import glob
 import importlib
+import importlib.util
 import math
 import os
 import sys
@@ -22,22 +22,26 @@ from .Images import first_sample, make_image, samples_of, steps_of
 from .Structures import FormatError, Structure
 
 MODULE = "orthogonalslices.vtkFiltersOrthogonalSlices"
-PACKAGES = ("build/paraview/lib/python3/dist-packages", "build/demo/paraview/lib/python3/dist-packages",
-            "build/vtk/lib/python3/dist-packages", "build/*/lib/python3/dist-packages")
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
+PARAVIEW_BUILDS = ("build/paraview", "build/demo/paraview")
+VTK_BUILDS = ("build/vtk",)
 
 
 def load_filters():
-    """The module with the wrapped classes."""
-    places = [None] + [place for pattern in PACKAGES for place in glob.glob(os.path.join(ROOT, pattern))]
-    for place in places:
-        if place:
-            sys.path.insert(0, place)
+    """The module with the wrapped classes, of a build with the same VTK that Python has."""
+    try:
+        return importlib.import_module(MODULE)
+    except ImportError:
+        pass
+    is_paraview = importlib.util.find_spec("vtkmodules.vtkRemotingCore") is not None
+    for build in PARAVIEW_BUILDS if is_paraview else VTK_BUILDS:
+        place = os.path.join(ROOT, build, "lib", "python3", "dist-packages")
+        sys.path.insert(0, place)
+        sys.modules.pop("orthogonalslices", None)
         try:
             return importlib.import_module(MODULE)
         except ImportError:
-            if place:
-                sys.path.remove(place)
+            sys.path.remove(place)
     raise FormatError("Python finds no package orthogonalslices that goes with its VTK: put "
                       "lib/python3/dist-packages of the build folder into PYTHONPATH.")
 
