@@ -8,12 +8,12 @@ pvpython, whichever it was built with.
 """
 
 import importlib
-import importlib.util
 import math
 import os
 import sys
 
 import numpy
+import vtkmodules
 from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
@@ -33,7 +33,9 @@ def load_filters():
         return importlib.import_module(MODULE)
     except ImportError:
         pass
-    is_paraview = importlib.util.find_spec("vtkmodules.vtkRemotingCore") is not None
+    # Beside ParaView's VTK lies ParaView.
+    modules = os.path.dirname(os.path.abspath(vtkmodules.__file__))
+    is_paraview = os.path.isdir(os.path.join(os.path.dirname(modules), "paraview"))
     for build in PARAVIEW_BUILDS if is_paraview else VTK_BUILDS:
         place = os.path.join(ROOT, build, "lib", "python3", "dist-packages")
         sys.path.insert(0, place)
