@@ -6,7 +6,7 @@ r"""Closed surfaces from a file of contours or labels, in the formats that peopl
 
 IN, by its ending (the folder Formats says more about each):
     .dcm                       radiotherapy structures (DICOM RTSTRUCT), all of them
-    .nrrd .mha .mhd .nii(.gz)  label image, with its directions; also .seg.nrrd of 3D Slicer and .vti
+    .nrrd .mha .mhd .nii(.gz)  label image, with its directions; also .seg.nrrd of 3D Slicer, .vti
     .csv .tsv .txt .xyz        table of points: x, y, z and a column that tells contours apart
     .contour .csl              cross-sections of the literature
     .roi .zip                  selections of ImageJ
@@ -17,7 +17,7 @@ Several files are read together: the three views of one object, or a file for ea
 OUT, by its ending:
     .vtp                       all surfaces in one file, with the cell array Label
     .stl .obj .ply             a surface; of several structures a file each, OUT-name.stl
-    .nrrd .mha .nii(.gz) .vti  label image, on the grid of --grid, of --spacing or of a label image IN
+    .nrrd .mha .nii(.gz) .vti  label image, on the grid of --grid, --spacing or a label image IN
 
     --list                 say what is in the files, and reconstruct nothing (no OUT then)
     --contours FILE.vtp    write the contours, too, to look at
@@ -30,8 +30,8 @@ OUT, by its ending:
     --spacing S            grid of cubes of this size around the surfaces instead
     --set PROPERTY=VALUE   property of vtkOrthogonalSliceReconstruction, as Smoothing=0.5
 
-Medical formats come and go in one frame: LPS, as DICOM has it, in millimetres. A structure that fails
-is reported and does not keep the others from being written; the exit status is 1 then.
+Medical formats come and go in one frame: LPS, as DICOM has it, in millimetres. A structure that
+fails is reported and does not keep the others from being written; the exit status is 1 then.
 """
 
 import argparse
@@ -48,7 +48,8 @@ from Formats.Structures import FormatError, merged
 def parse(arguments):
     if not arguments or {"-h", "--help"}.intersection(arguments):
         sys.exit(__doc__)
-    parser = argparse.ArgumentParser(usage="ReconstructAny.py IN [IN ...] OUT [options]", add_help=False)
+    parser = argparse.ArgumentParser(usage="ReconstructAny.py IN [IN ...] OUT [options]",
+                                     add_help=False)
     parser.add_argument("files", nargs="+")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--contours")
@@ -79,9 +80,8 @@ def properties_of(texts):
 
 
 def read_all(options):
-    structures = merged([structure for path in options.files
-                         for structure in read_structures(path, options.voxel, options.slices,
-                                                          options.blur)])
+    structures = merged(read_structures(path, options.voxel, options.slices, options.blur)
+                        for path in options.files)
     if options.structure:
         names = [structure.name for structure in structures]
         for name in options.structure:
@@ -109,7 +109,8 @@ def reconstruct_all(structures, properties):
     for structure in structures:
         try:
             surface = reconstruct(structure, properties)
-            print(f"{structure.name}: {structure.number_of_contours()} contours, {describe(surface)}")
+            contours = structure.number_of_contours()
+            print(f"{structure.name}: {contours} contours, {describe(surface)}")
             surfaces.append((structure, surface))
         except FormatError as error:
             print(f"{structure.name}: {error}", file=sys.stderr)
@@ -120,8 +121,8 @@ def check_out(options):
     """Before anything takes time: whether the result can be written."""
     out = options.out.lower()
     if not out.endswith(Surfaces.ENDINGS + LabelMaps.WRITTEN):
-        raise FormatError(f"{options.out}: surfaces are written as {', '.join(Surfaces.ENDINGS)}, label "
-                          f"images as {', '.join(LabelMaps.WRITTEN)}.")
+        raise FormatError(f"{options.out}: surfaces are written as {', '.join(Surfaces.ENDINGS)}, "
+                          f"label images as {', '.join(LabelMaps.WRITTEN)}.")
     if not os.path.isdir(os.path.dirname(options.out) or "."):
         raise FormatError(f"There is no folder for {options.out}.")
     if LabelMaps.ending(options.out) and not (options.spacing or grid_file(options)):
@@ -156,7 +157,8 @@ def main(arguments):
         structures = read_all(options)
         if options.list:
             for structure in structures:
-                print(f"{structure.label:4} {structure.name}: {structure.number_of_contours()} contours")
+                contours = structure.number_of_contours()
+                print(f"{structure.label:4} {structure.name}: {contours} contours")
             return 0
         if options.contours:
             Surfaces.write_contours(structures, options.contours)

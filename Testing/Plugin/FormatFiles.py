@@ -81,7 +81,8 @@ def vector(numbers):
     return "(" + ",".join(f"{number:.17g}" for number in numbers) + ")"
 
 
-def write_nrrd(path, samples, steps, origin, space="left-posterior-superior", encoding="gzip", keys=()):
+def write_nrrd(path, samples, steps, origin, space="left-posterior-superior", encoding="gzip",
+               keys=()):
     """With four axes, the first of the file counts the layers of a segmentation."""
     directions = " ".join(vector(steps[:, axis]) for axis in range(3))
     layers = samples.ndim == 4
@@ -102,22 +103,25 @@ def write_nrrd(path, samples, steps, origin, space="left-posterior-superior", en
 
 def write_mha(path, samples, steps, origin):
     spacing = numpy.linalg.norm(steps, axis=0)
-    direction = " ".join(f"{value:.17g}" for axis in range(3) for value in steps[:, axis] / spacing[axis])
+    direction = " ".join(f"{value:.17g}" for value in (steps / spacing).T.ravel())
 
     def text(numbers):
         return " ".join(f"{number:.17g}" for number in numbers)
 
-    lines = ["ObjectType = Image", "NDims = 3", "BinaryData = True", "BinaryDataByteOrderMSB = False",
-             "CompressedData = False", f"TransformMatrix = {direction}", f"Offset = {text(origin)}",
+    lines = ["ObjectType = Image", "NDims = 3", "BinaryData = True",
+             "BinaryDataByteOrderMSB = False", "CompressedData = False",
+             f"TransformMatrix = {direction}", f"Offset = {text(origin)}",
              "CenterOfRotation = 0 0 0", "AnatomicalOrientation = RAI",
-             f"ElementSpacing = {text(spacing)}", "DimSize = " + " ".join(map(str, samples.shape[::-1])),
+             f"ElementSpacing = {text(spacing)}",
+             "DimSize = " + " ".join(map(str, samples.shape[::-1])),
              "ElementType = MET_UCHAR", "ElementDataFile = LOCAL", ""]
     with open(path, "wb") as file:
         file.write("\n".join(lines).encode() + samples.tobytes())
 
 
 def write_nii(path, samples, steps, origin, form):
-    """NIfTI-1 with the same placement as sform or as qform ("sform", "qform"); LPS in, RAS in the file."""
+    """NIfTI-1 with the same placement as sform or as qform ("sform", "qform"); LPS in, RAS in the
+    file."""
     flip = numpy.diag([-1.0, -1.0, 1.0])
     steps, origin = flip @ steps, flip @ origin
     spacing = numpy.linalg.norm(steps, axis=0)
@@ -144,8 +148,8 @@ def write_nii(path, samples, steps, origin, form):
 
 
 def quaternion(rotation):
-    """b, c and d of the unit quaternion a + bi + cj + dk, with a >= 0, of a rotation: the eigenvector
-    of the largest eigenvalue of Bar-Itzhack's matrix."""
+    """b, c and d of the unit quaternion a + bi + cj + dk, with a >= 0, of a rotation: the
+    eigenvector of the largest eigenvalue of Bar-Itzhack's matrix."""
     m = rotation
     lower = numpy.array([
         [m[0, 0] - m[1, 1] - m[2, 2], 0, 0, 0],
@@ -160,7 +164,8 @@ def quaternion(rotation):
 # Cross-sections
 
 def write_csl(path, planes):
-    """`planes`: parameters and components, each a label, what follows the count ("" or "h0"), points."""
+    """`planes`: parameters and components, each a label, what follows the count ("" or "h0"),
+    points."""
     with open(path, "w", encoding="utf-8") as file:
         file.write(f"CSLC\n{len(planes)} 3\n\n")
         for number, (plane, components) in enumerate(planes, 1):

@@ -10,8 +10,8 @@ materials on the left and on the right of the edge. Material 0 is outside.
 .csl (Bermano, Vaxman and Gotsman, "Online Reconstruction of 3D Objects from Arbitrary
 Cross-Sections", 2011): the word CSLC; the numbers of planes and labels; for each plane its number,
 the numbers of vertices and components, and its parameters; its vertices; and its components: the
-number of vertices, the label, and the vertices, from 0. A hole has an h, and the component around it,
-behind its number of vertices ("10h0"). Label 0 is outside.
+number of vertices, the label, and the vertices, from 0. A hole has an h, and the component around
+it, behind its number of vertices ("10h0"). Label 0 is outside.
 
 Each material or label becomes a structure. Where two materials meet, the border belongs to both.
 """

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Radiotherapy structure sets (DICOM RTSTRUCT): all structures with their names and colours.
 
-The file is read with pydicom (Debian: python3-pydicom) or, where that is missing, with GDCM (Debian:
-python3-gdcm). Neither of them depends on VTK, so that both go with VTK's Python and with ParaView's.
+The file is read with pydicom (Debian: python3-pydicom) or, where that is missing, with GDCM
+(Debian: python3-gdcm). Neither of them depends on VTK, so that both go with VTK's Python and with
+ParaView's.
 """
 
 import numpy
@@ -34,7 +35,7 @@ class PydicomAccess:
         self.library = pydicom
 
     def read(self, path):
-        return self.library.dcmread(path, force=False)
+        return self.library.dcmread(path, force=True) # also without the preamble of a file
 
     def items(self, dataset, tag):
         return list(dataset[tag].value or ()) if tag in dataset else []
@@ -118,7 +119,8 @@ def add_contour(access, contour, structure):
     kind = access.text(contour, GEOMETRIC_TYPE)
     if kind not in CLOSED_TYPES + OPEN_TYPES:
         return
-    numbers = [float(value) for value in access.text(contour, CONTOUR_DATA).split("\\") if value.strip()]
+    values = access.text(contour, CONTOUR_DATA).split("\\")
+    numbers = [float(value) for value in values if value.strip()]
     if len(numbers) % 3 != 0:
         raise FormatError(f"A contour of {structure.name!r} has {len(numbers)} numbers, not three "
                           "for each point.")

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The filters of this project, called from Python: contours in, closed surfaces out.
 
-The package orthogonalslices is found on Python's path or in the build folders of the repository that
-this file lies in. It goes with the Python of plain VTK, with Debian's python3-paraview and with
-pvpython, whichever it was built with.
+The package orthogonalslices is found on Python's path or in the build folders of the repository
+that this file lies in. It goes with the Python of plain VTK, with Debian's python3-paraview and
+with pvpython, whichever it was built with.
 """
 
 import importlib
@@ -14,12 +14,14 @@ import sys
 
 import numpy
 import vtkmodules
-from vtkmodules.vtkCommonCore import vtkCommand
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
 
 from .Images import first_sample, make_image, samples_of, steps_of
-from .Structures import FormatError, Structure
+from .Structures import FormatError, Structure, run
+
+# Scans have thousands of values, the finest atlases some hundred labels.
+MOST_LABELS = 1000
 
 MODULE = "orthogonalslices.vtkFiltersOrthogonalSlices"
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
@@ -48,23 +50,6 @@ def load_filters():
                       "lib/python3/dist-packages of the build folder into PYTHONPATH.")
 
 
-def run(filter_object):
-    """Updates a filter; its error becomes an exception, and its warning goes where VTK's do."""
-    errors = []
-
-    def collect(_object, _event, text):
-        errors.append(text)
-
-    collect.CallDataType = "string0"
-    tags = [(thing, thing.AddObserver(vtkCommand.ErrorEvent, collect))
-            for thing in (filter_object, filter_object.GetExecutive())]
-    filter_object.Update()
-    for thing, tag in tags:
-        thing.RemoveObserver(tag)
-    if errors:
-        raise FormatError(" ".join(" ".join(text.partition("): ")[2] or text for text in errors).split()))
-
-
 def reconstruct(structure, properties=None):
     """The closed surface of one structure. `properties`: names of vtkOrthogonalSliceReconstruction
     without "Set", and their values."""
@@ -87,12 +72,15 @@ def reconstruct(structure, properties=None):
 
 
 def structures_of_image(image, names, slices, blur=0.0):
-    """A structure for each label of an image, with contours on at most `slices` planes of its samples
-    along each axis of the image; `blur` as in slices_of_label."""
+    """A structure for each label of an image, with contours on at most `slices` planes of its
+    samples along each axis of the image; `blur` as in slices_of_label."""
     samples = samples_of(image)
     labels = numpy.unique(samples)
     if not numpy.array_equal(labels, labels.astype(numpy.int64)):
         raise FormatError("The image has values that are no whole numbers: it is no label image.")
+    if len(labels) > MOST_LABELS:
+        raise FormatError(f"The image has {len(labels)} values: it seems to be a scan, not its "
+                          "labels.")
     return [Structure(names.get(int(label), f"label {int(label)}"), int(label),
                       slices=slices_of_label(image, label, slices, blur))
             for label in labels if label > 0]
@@ -102,8 +90,8 @@ def slices_of_label(image, label, slices, blur=0.0):
     """Contours around the samples with one label, on x-, y- and z-slices or on those of the image.
 
     They run halfway between the samples inside and outside, in steps. With `blur`, the samples are
-    spread by a Gaussian of so many samples first, and the contours run where half of them are inside:
-    that takes the steps out, and with them what is thinner than about twice `blur`."""
+    spread by a Gaussian of so many samples first, and the contours run where half of them are
+    inside: that takes the steps out, and with them what is thinner than about twice `blur`."""
     part = part_of_label(image, label, margin=math.ceil(3 * blur))
     slicer = load_filters().vtkOrthogonalSlicer()
     slicer.SetInputData(blurred(part, blur) if blur > 0 else part)
@@ -117,7 +105,7 @@ def slices_of_label(image, label, slices, blur=0.0):
 
 
 def part_of_label(image, label, margin):
-    """The part of an image around one label, whose samples are 1, with more of zeros on each side."""
+    """The part of an image around one label, whose samples are 1, with zeros around it."""
     inside = samples_of(image) == label
     box = []
     for axis in range(3):

@@ -7,8 +7,8 @@ freehand lines, which stay open. Each lies on the slice that its selection is on
 position); pixels become lengths with the size of a voxel, and slice 1 lies at z = 0. All selections
 are one structure.
 
-The layout of the file is that of ij.io.RoiDecoder: numbers are big-endian; a header of 64 bytes, the
-coordinates, and a second header that the first one points to.
+The layout of the file is that of ij.io.RoiDecoder: numbers are big-endian; a header of 64 bytes,
+the coordinates, and a second header that the first one points to.
 """
 
 import math
@@ -87,7 +87,8 @@ def decode(data, name):
 def outline(kind, box):
     left, top, right, bottom = box
     if kind == RECTANGLE:
-        return numpy.array([(left, top), (right, top), (right, bottom), (left, bottom)], dtype=float)
+        corners = [(left, top), (right, top), (right, bottom), (left, bottom)]
+        return numpy.array(corners, dtype=float)
     angles = 2 * math.pi / OVAL_POINTS * numpy.arange(OVAL_POINTS)
     return numpy.column_stack(((left + right + (right - left) * numpy.cos(angles)) / 2,
                                (top + bottom + (bottom - top) * numpy.sin(angles)) / 2))

@@ -11,7 +11,7 @@ from .Structures import FormatError
 
 
 def make_image(samples, steps, origin):
-    """An image of samples [k, j, i]; the columns of `steps` lead from one to the next in i, j, k."""
+    """An image of samples [k, j, i]; the columns of `steps` lead from sample to sample in i, j, k."""
     spacing = numpy.linalg.norm(steps, axis=0)
     if abs(numpy.linalg.det(steps)) <= 1e-9 * spacing.prod():
         raise FormatError("The directions of the image's axes lie in one plane.")

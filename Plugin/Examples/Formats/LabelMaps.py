@@ -21,7 +21,7 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
 
 from .Images import first_sample, make_image, samples_of, steps_of
 from .Nrrd import read_nrrd, write_nrrd
-from .Structures import FormatError
+from .Structures import FormatError, run
 
 ENDINGS = (".nrrd", ".nhdr", ".mha", ".mhd", ".nii", ".nii.gz", ".vti")
 WRITTEN = (".nrrd", ".mha", ".nii", ".nii.gz", ".vti")
@@ -45,7 +45,7 @@ def read_label_images(path):
         return [(read_nifti(path), {})]
     reader = vtkXMLImageDataReader()
     reader.SetFileName(path)
-    reader.Update()
+    run(reader)
     image = reader.GetOutput()
     if image.GetPointData().GetScalars() is None:
         if image.GetPointData().GetNumberOfArrays() == 0:
@@ -58,7 +58,7 @@ def read_label_images(path):
 # MetaImage
 
 def read_meta_image(path):
-    """The columns of TransformMatrix are written one after another, each as the direction of an axis."""
+    """A TransformMatrix is written column by column: each is the direction of an axis."""
     fields = {}
     with open(path, "rb") as file:
         for line in file:
@@ -75,7 +75,7 @@ def read_meta_image(path):
 
     reader = vtkMetaImageReader()
     reader.SetFileName(path)
-    reader.Update()
+    run(reader)
     columns = numbers(("TransformMatrix", "Rotation", "Orientation"), "1 0 0 0 1 0 0 0 1")
     spacing = numbers(("ElementSpacing", "ElementSize"), "1 1 1")
     origin = numbers(("Offset", "Origin", "Position"), "0 0 0")
@@ -110,7 +110,7 @@ def read_nifti(path):
     """The sform is used if there is one, as most programs do, else the qform."""
     reader = vtkNIFTIImageReader()
     reader.SetFileName(path)
-    reader.Update()
+    run(reader)
     image = reader.GetOutput()
     matrix = reader.GetSFormMatrix() or reader.GetQFormMatrix()
     to_world = numpy.eye(4)

@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Curves of 3D Slicer: .mrk.json (closed curves and curves) and .fcsv (points, taken for one contour).
+"""Curves of 3D Slicer: .mrk.json (closed curves and curves) and .fcsv (points, taken for one
+contour).
 
 A curve is given by its control points. Slicer draws a smooth curve through them by default; here
-they are joined by straight lines, so that a curve with few points should be resampled in Slicer first
-(Markups > Resample). All curves of the files that are read together are one structure. Coordinates
-become left, posterior, superior, whatever the file says they are.
+they are joined by straight lines, so that a curve with few points should be resampled in Slicer
+first (Markups > Resample). All curves of the files that are read together are one structure.
+Coordinates become left, posterior, superior, whatever the file says they are.
 """
 
 import csv

@@ -19,7 +19,8 @@ from .Structures import FormatError
 SPACES = {"left-posterior-superior": (1, 1, 1), "lps": (1, 1, 1),
           "right-anterior-superior": (-1, -1, 1), "ras": (-1, -1, 1),
           "left-anterior-superior": (1, -1, 1), "las": (1, -1, 1)}
-NRRD_TYPES = {"int8": "i1", "signed char": "i1", "uint8": "u1", "uchar": "u1", "unsigned char": "u1",
+NRRD_TYPES = {"int8": "i1", "signed char": "i1",
+              "uint8": "u1", "uchar": "u1", "unsigned char": "u1",
               "int16": "i2", "short": "i2", "uint16": "u2", "ushort": "u2", "unsigned short": "u2",
               "int32": "i4", "int": "i4", "uint32": "u4", "uint": "u4", "unsigned int": "u4",
               "int64": "i8", "uint64": "u8", "float": "f4", "double": "f8"}
@@ -54,14 +55,14 @@ def nrrd_samples(path, fields, body):
     sizes = [int(size) for size in fields["sizes"].split()]
     kind = NRRD_TYPES.get(re.sub(r"_t$", "", fields["type"]))
     if kind is None:
-        raise FormatError(f"{path} has samples of the type {fields['type']!r}, which are no labels.")
+        raise FormatError(f"{path} has samples of the type {fields['type']!r}: no labels.")
     detached = fields.get("data file") or fields.get("datafile")
     if detached:
         try:
             with open(os.path.join(os.path.dirname(path), detached), "rb") as file:
                 body = file.read()
         except OSError:
-            raise FormatError(f"{path} keeps its samples in {detached!r}, which there is not.") from None
+            raise FormatError(f"{path} keeps its samples in {detached!r}: there is none.") from None
     encoding = fields["encoding"].lower()
     if encoding in ("gzip", "gz"):
         body = gzip.decompress(body)
@@ -73,10 +74,9 @@ def nrrd_samples(path, fields, body):
         raise FormatError(f"{path} has the encoding {encoding!r}, which is not read.")
     order = ">" if fields.get("endian") == "big" else "<"
     count = int(numpy.prod(sizes))
-    samples = numpy.frombuffer(body, order + kind, count) if len(body) >= count * int(kind[1]) else None
-    if samples is None:
+    if len(body) < count * int(kind[1]):
         raise FormatError(f"{path} has fewer samples than its sizes say.")
-    return samples.astype(kind).reshape(sizes[::-1])
+    return numpy.frombuffer(body, order + kind, count).astype(kind).reshape(sizes[::-1])
 
 
 def nrrd_axes(path, fields):
@@ -126,7 +126,8 @@ def write_nrrd(image, path, names=None):
               "kinds: domain domain domain", "endian: little", "encoding: gzip",
               "space origin: " + vector(origin)]
     for index, (label, name) in enumerate(sorted((names or {}).items())):
-        for key, value in (("ID", f"Segment_{label}"), ("Name", name), ("LabelValue", label), ("Layer", 0)):
+        for key, value in (("ID", f"Segment_{label}"), ("Name", name), ("LabelValue", label),
+                           ("Layer", 0)):
             header.append(f"Segment{index}_{key}:={value}")
     with open(path, "wb") as file:
         file.write(("\n".join(header) + "\n\n").encode())

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Which samples of a grid lie inside a closed surface.
 
-VTK's vtkPolyDataToImageStencil says so where there is one. ParaView of Debian comes without it: there
-the surface is cut on the planes of the samples and the cuts on their rows, here.
+VTK's vtkPolyDataToImageStencil says so where there is one. ParaView of Debian comes without it:
+there the surface is cut on the planes of the samples and the cuts on their rows, here.
 """
 
 import numpy
@@ -18,7 +18,7 @@ except ImportError:
 
 
 def samples_inside(surface, shape):
-    """An array [k, j, i] of the given shape: true inside. The points of the surface are in indices."""
+    """An array [k, j, i] of the given shape: true inside. The surface is in indices."""
     inside = inside_by_rows if vtkPolyDataToImageStencil is None else inside_by_stencil
     return inside(surface, shape)
 
@@ -39,7 +39,8 @@ def inside_by_stencil(surface, shape):
 
 def inside_by_rows(surface, shape):
     """A sample is inside if the surface crosses its row an odd number of times before it. A point
-    that lies on a plane or row counts as above, everywhere: no crossing is missed or counted twice."""
+    that lies on a plane or row counts as above, everywhere: no crossing is missed or counted
+    twice."""
     points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
     triangles = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
     planes, starts, ends = cut_on_planes(points, triangles, shape[0])
@@ -54,8 +55,8 @@ def inside_by_rows(surface, shape):
 
 
 def crossed(low, high, count):
-    """Whole numbers from 0 to `count` - 1 between pairs of numbers, the upper end included: the index
-    of the pair, and the number."""
+    """Whole numbers from 0 to `count` - 1 between pairs of numbers, the upper end included: the
+    index of the pair, and the number."""
     low, high = numpy.minimum(low, high), numpy.maximum(low, high)
     first = numpy.clip(numpy.floor(low) + 1, 0, count).astype(numpy.int64)
     last = numpy.clip(numpy.floor(high), -1, count - 1).astype(numpy.int64)
@@ -66,7 +67,7 @@ def crossed(low, high, count):
 
 
 def cut_on_planes(points, triangles, count):
-    """The segments that planes of whole k cut out of triangles: the planes, and both ends (i, j)."""
+    """The segments that planes of whole k cut out of triangles: the planes, and the ends."""
     heights = points[triangles, 2]
     which, planes = crossed(heights.min(axis=1), heights.max(axis=1), count)
     corners = triangles[which]

@@ -8,7 +8,7 @@ patient's left, y to the back, z to the head (LPS), in millimetres.
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkCommand, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 # Points of a contour that differ by no more than this share of its size lie on one plane.
@@ -19,6 +19,23 @@ class FormatError(Exception):
     """A file that cannot be read, in one sentence for the user."""
 
 
+def run(algorithm):
+    """Updates an algorithm of VTK. Its errors become an exception; warnings go where VTK's do."""
+    errors = []
+
+    def collect(_caller, _event, text):
+        errors.append(" ".join((text.partition("): ")[2] or text).split()))
+
+    collect.CallDataType = "string0"
+    senders = (algorithm, algorithm.GetExecutive())
+    tags = [sender.AddObserver(vtkCommand.ErrorEvent, collect) for sender in senders]
+    algorithm.Update()
+    for sender, tag in zip(senders, tags):
+        sender.RemoveObserver(tag)
+    if errors:
+        raise FormatError(errors[0])
+
+
 class Structure:
     """One object to be reconstructed.
 
@@ -26,7 +43,7 @@ class Structure:
     label    a positive integer, its value in label images
     color    red, green and blue from 0 to 255, or None
     loops    its contours: arrays of points (n x 3); a closed contour ends with its first point
-    slices   instead of loops: contours that are sorted already, on x-, y- and z-slices (vtkPolyData)
+    slices   instead of loops: contours sorted already, on x-, y- and z-slices (vtkPolyData)
     """
 
     def __init__(self, name, label=1, color=None, loops=(), slices=None):
@@ -44,6 +61,13 @@ class Structure:
         if len(points) > 0:
             self.loops.append(points)
 
+    def take(self, other):
+        """Adds the contours of another file to those of this one."""
+        if self.slices is not None or other.slices is not None:
+            raise FormatError(f"Two label images have a structure {self.name!r}: reconstruct each "
+                              "by itself.")
+        self.loops += other.loops
+
     def contours(self):
         """The contours on x-, y- and z-slices: three vtkPolyData, some of which may be empty."""
         if self.slices is not None:
@@ -58,7 +82,8 @@ class Structure:
 
 
 def polylines(loops):
-    """A vtkPolyData with one polyline for each array of points; closed ones end where they start."""
+    """A vtkPolyData with one polyline for each array of points; closed ones end where they
+    start."""
     data = vtkPolyData()
     points = vtkPoints()
     points.SetDataTypeToDouble()
@@ -74,7 +99,8 @@ def polylines(loops):
 
 
 def loops_of(data):
-    """The lines and polygons of a vtkPolyData as arrays of points; polygons end where they start."""
+    """The lines and polygons of a vtkPolyData as arrays of points; polygons end where they
+    start."""
     if data.GetNumberOfPoints() == 0:
         return []
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
@@ -122,14 +148,23 @@ def candidate_axes(loop):
     return [int(numpy.argmax(abs(normal)))] if len(loop) > 2 else [0, 1, 2]
 
 
-def merged(structures):
-    """Structures of the same name become one: contours of several files, or of several planes."""
-    by_name = {}
-    for structure in structures:
-        same = by_name.setdefault(structure.name, structure)
-        if same is structure:
-            continue
-        if same.slices is not None or structure.slices is not None:
-            raise FormatError(f"Two label images have a structure {structure.name!r}: give one file.")
-        same.loops += structure.loops
-    return list(by_name.values())
+# --------------------------------------------------------------------------------------------------
+# Several files
+
+def merged(files):
+    """Structures of several files, a list for each of them, as one list. Those of the same name
+    become one; within one file they stay apart. Each gets a label of its own."""
+    found = []
+    for structures in files:
+        known = {structure.name: structure for structure in found}
+        for structure in structures:
+            if structure.name in known:
+                known[structure.name].take(structure)
+            else:
+                found.append(structure)
+    used = set()
+    for structure in found:
+        while structure.label in used:
+            structure.label += 1
+        used.add(structure.label)
+    return found

@@ -20,12 +20,13 @@ from .Structures import FormatError
 
 ENDINGS = (".stl", ".obj", ".ply", ".vtp")
 MOST_SAMPLES = 2**31
+WHITE = (255, 255, 255)
 
 
 def write_surfaces(surfaces, path):
-    """Writes pairs of a structure and its surface; returns the names of the files. A .vtp has all of
-    them, told apart by the cell array Label; of the others each surface gets a file of its own, with
-    the structure's name in the file's if there are several."""
+    """Writes pairs of a structure and its surface; returns the names of the files. A .vtp has all
+    of them, told apart by the cell array Label; of the others each surface gets a file of its own,
+    with the structure's name in the file's if there are several."""
     end = os.path.splitext(path)[1].lower()
     if end == ".vtp":
         write(labelled(surfaces), path)
@@ -67,8 +68,8 @@ def write(surface, path):
 
 
 def labelled(surfaces):
-    """All surfaces in one, with the cell array Label, and the labels and names as field data. A
-    structure may come several times."""
+    """All surfaces in one, with the cell array Label (and Color, if the file has colours), and the
+    labels and names as field data. A structure may come several times."""
     append = vtkAppendPolyData()
     labels, names = vtkIntArray(), vtkStringArray()
     labels.SetName("Labels")
@@ -76,10 +77,9 @@ def labelled(surfaces):
     for structure, surface in surfaces:
         part = vtkPolyData()
         part.ShallowCopy(surface)
-        values = numpy.full(part.GetNumberOfCells(), structure.label, dtype=numpy.int32)
-        array = numpy_to_vtk(values, deep=True)
-        array.SetName("Label")
-        part.GetCellData().AddArray(array)
+        add_constant(part, "Label", numpy.int32(structure.label))
+        if any(one.color for one, _ in surfaces):
+            add_constant(part, "Color", numpy.array(structure.color or WHITE, dtype=numpy.uint8))
         append.AddInputData(part)
     for label, name in {structure.label: structure.name for structure, _ in surfaces}.items():
         labels.InsertNextValue(label)
@@ -93,6 +93,14 @@ def labelled(surfaces):
     return result
 
 
+def add_constant(data, name, value):
+    """A cell array with the same value everywhere."""
+    values = numpy.repeat(numpy.atleast_2d(value), data.GetNumberOfCells(), axis=0)
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName(name)
+    data.GetCellData().AddArray(array)
+
+
 # --------------------------------------------------------------------------------------------------
 # Label images
 
@@ -102,7 +110,8 @@ def make_grid(surfaces, spacing):
     low, high = boxes[:, :, 0].min(axis=0) - spacing, boxes[:, :, 1].max(axis=0) + spacing
     counts = numpy.ceil((high - low) / spacing).astype(numpy.int64) + 1
     if counts.prod() > MOST_SAMPLES:
-        raise FormatError(f"A grid of {spacing:g} has {' x '.join(map(str, counts))} samples: too many.")
+        raise FormatError(f"A grid of {spacing:g} has {' x '.join(map(str, counts))} samples: too "
+                          "many.")
     return make_image(numpy.zeros(counts[::-1], dtype=numpy.uint8), spacing * numpy.eye(3), low)
 
 

@@ -1,21 +1,24 @@
 # SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables of points (.csv, .tsv, .txt, .xyz): one row for each point, in the order along the contours.
+"""Tables of points (.csv, .tsv, .txt, .xyz): one row for each point, in the order along the
+contours.
 
-Columns are separated by commas, semicolons, tabs or blanks. With a header they are found by name, in
-upper or lower case and with or without units ("X [mm]"):
+Columns are separated by commas, semicolons, tabs or blanks. With a header they are found by name,
+in upper or lower case, with or without units and numbers ("X [mm]", "pos_x", "Points:0",
+"Slice_ID"):
 
     x, y, z (or l, p, s; or r, a, s, as 3D Slicer exports)   the point
-    contour, contour_id, loop, polyline, roi, id             a new contour begins where it changes
-    slice, section, plane, frame                             the same; without z also the plane
-    structure, name, organ, label                            what the contour belongs to
+    contour..., loop..., polyline..., curve..., roi..., id   a new contour begins where it changes
+    slice..., section..., plane..., frame..., layer...       the same; without z also the plane
+    structure..., organ..., object..., label..., name        what the contour belongs to
 
 Without a header, three columns are x, y, z, four are contour, x, y, z, and two are x, y, as in the
 "XY Coordinates" of ImageJ, which has one file for each contour: its slice is the last number in the
 file's name.
 
-Where no column tells contours apart, an empty line does; else a contour ends where it comes back to
-its first point, and where it leaves its plane. Pixels become lengths with the size of a voxel.
+An empty line ends a contour, and so do a contour that comes back to its first point (but for one
+that has a number of its own) and points that leave the plane of constant x, y or z that three or
+more have been on. Pixels become lengths with the size of a voxel; slice 1 lies at z = 0.
 """
 
 import csv
@@ -26,13 +29,15 @@ import numpy
 
 from .Structures import FormatError, Structure
 
-CONTOUR_NAMES = ("contour", "contourid", "contourindex", "loop", "loopid", "polyline", "polylineid",
-                 "roi", "roiid", "id")
-SLICE_NAMES = ("slice", "sliceid", "sliceindex", "slicenumber", "section", "plane", "frame")
-STRUCTURE_NAMES = ("structure", "structurename", "name", "organ", "label")
+# How the names of columns begin.
+CONTOUR_NAMES = ("contour", "loop", "polyline", "polygon", "curve", "roi")
+SLICE_NAMES = ("slice", "section", "plane", "frame", "layer")
+STRUCTURE_NAMES = ("structure", "organ", "object", "label", "name")
 # Names of three coordinates, and the signs that turn them into left, posterior, superior.
-POINT_NAMES = ((("x", "y", "z"), (1, 1, 1)), (("l", "p", "s"), (1, 1, 1)),
-               (("r", "a", "s"), (-1, -1, 1)), (("x", "y"), (1, 1)))
+POINT_NAMES = ((("x", "y", "z"), (1, 1, 1)), (("0", "1", "2"), (1, 1, 1)),
+               (("l", "p", "s"), (1, 1, 1)), (("r", "a", "s"), (-1, -1, 1)), (("x", "y"), (1, 1)))
+COORDINATE = r"(?:pos|position|coord|coordinate|point|points|vertex)?(%s)" \
+             r"(?:mm|cm|um|m|px|pos|position|coord|coordinate|coordinates)?"
 
 
 def read_table(path, voxel=(1.0, 1.0, 1.0)):
@@ -73,7 +78,7 @@ def is_number(cell):
 
 def plain(name):
     """A column's name without units, blanks and marks, in lower case."""
-    return re.sub(r"[^a-z]", "", re.sub(r"[\[(].*", "", name.lower()))
+    return re.sub(r"[^a-z0-9]", "", re.sub(r"[\[(].*", "", name.lower()))
 
 
 class Columns:
@@ -102,28 +107,33 @@ def columns_without_header(path, count):
 def columns_of_header(path, header):
     names = [plain(cell) for cell in header]
 
-    def find(wanted):
-        return next((names.index(name) for name in wanted if name in names), None)
+    def place(pattern):
+        return next((i for i, name in enumerate(names) if re.fullmatch(pattern, name)), None)
 
-    for point, signs in POINT_NAMES:
-        if all(name in names for name in point):
-            return Columns(tuple(names.index(name) for name in point), signs,
-                           find(CONTOUR_NAMES), find(SLICE_NAMES), find(STRUCTURE_NAMES))
+    def beginning(starts):
+        return next((i for start in starts for i, name in enumerate(names)
+                     if name.startswith(start)), None)
+
+    for coordinates, signs in POINT_NAMES:
+        point = tuple(place(COORDINATE % name) for name in coordinates)
+        if None not in point:
+            contour = beginning(CONTOUR_NAMES)
+            return Columns(point, signs, place("id") if contour is None else contour,
+                           beginning(SLICE_NAMES), beginning(STRUCTURE_NAMES))
     raise FormatError(f"{path} has no columns named x, y and z, but {', '.join(header)}.")
 
 
 def structures_of(path, rows, columns, voxel):
     """Goes through the rows and begins a contour where one of the columns says so."""
     structures = {}
-    for key, points in groups_of(path, rows, columns):
-        name, section, has_contours = key[0], key[2], key[1] != "" or key[2] != ""
+    for (name, contour, section), points in groups_of(path, rows, columns):
         points = numpy.asarray(points, dtype=float) * columns.signs
         if points.shape[1] == 2:
             points = with_plane(path, points, section)
         points = points * voxel
         structure = structures.setdefault(
             name, Structure(name or "contours", label_of(name, len(structures) + 1)))
-        for loop in [points] if has_contours else split_loops(points):
+        for loop in split_loops(points, closing=contour == ""):
             structure.add(loop)
     return list(structures.values())
 
@@ -152,8 +162,8 @@ def with_plane(path, points, section):
     if section == "":
         numbers = re.findall(r"\d+", os.path.splitext(os.path.basename(path))[0])
         if not numbers:
-            raise FormatError(f"{path} has x and y only: give z or slice as a column, or the number "
-                              "of the slice at the end of the file's name.")
+            raise FormatError(f"{path} has x and y only: give z or slice as a column, or the "
+                              "number of the slice at the end of the file's name.")
         section = numbers[-1]
     if not is_number(section):
         raise FormatError(f"{path} has no z, and its slice {section!r} is no number.")
@@ -164,27 +174,33 @@ def label_of(name, default):
     return int(float(name)) if is_number(name) and float(name) > 0 else default
 
 
-def split_loops(points):
-    """Contours that follow each other without a mark between them."""
-    loops = []
-    begin = 0
-    while begin < len(points):
-        end = end_of_loop(points, begin)
-        loops.append(points[begin:end])
-        begin = end
-    return loops
+def split_loops(points, closing):
+    """Contours that follow each other without a mark between them. They end where they leave their
+    plane, if all of them have three points or more then; with `closing`, where they close, too."""
+    parts = [part for plane in split_planes(points)
+             for part in (split_closed(plane) if closing else [plane])]
+    if min(len(part) for part in parts) >= 3:
+        return parts
+    return split_closed(points) if closing else [points]
 
 
-def end_of_loop(points, begin):
-    """Behind the last point of the contour that starts at `begin`."""
-    constant = numpy.ones(3, dtype=bool) # coordinates that all points so far share
-    on_plane = True                      # of constant x, y or z
-    for end in range(begin + 1, len(points)):
-        constant &= points[end] == points[begin]
-        if on_plane and not constant.any():
-            if end > begin + 1:
-                return end
-            on_plane = False
-        if end - begin > 2 and numpy.array_equal(points[end], points[begin]):
-            return end + 1
-    return len(points)
+def split_planes(points):
+    """Runs of points, each as long as possible, on one plane of constant x, y or z."""
+    begins = [0]
+    constant = numpy.ones(3, dtype=bool) # coordinates that all points of the run share
+    for i in range(1, len(points)):
+        constant = constant & (points[i] == points[begins[-1]])
+        if not constant.any():
+            begins.append(i)
+            constant = numpy.ones(3, dtype=bool)
+    return [points[begin:end] for begin, end in zip(begins, begins[1:] + [len(points)])]
+
+
+def split_closed(points):
+    """Runs of points, each of which ends with its first point; the last one may stay open."""
+    parts, begin = [], 0
+    for i in range(len(points)):
+        if i - begin > 2 and numpy.array_equal(points[i], points[begin]):
+            parts.append(points[begin:i + 1])
+            begin = i + 1
+    return parts + ([points[begin:]] if begin < len(points) else [])

@@ -12,12 +12,14 @@ those of ParaView included; DICOM needs pydicom or GDCM.
 """
 
 import os
+import struct
+import zipfile
 
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from . import CrossSections, Dicom, ImageJ, LabelMaps, Markups, Tables
-from .Structures import FormatError, Structure, loops_of, merged
+from .Structures import FormatError, Structure, loops_of, run
 
 TABLES = (".csv", ".tsv", ".txt", ".xyz")
 
@@ -25,9 +27,17 @@ TABLES = (".csv", ".tsv", ".txt", ".xyz")
 def read_structures(path, voxel=(1.0, 1.0, 1.0), slices=64, blur=0.0):
     """The structures of a file. `voxel`: the distance of samples along x, y and z, where a format
     counts pixels and slices. `slices`: label images are cut on at most so many planes of their
-    samples along each of their axes; `blur`: after a Gaussian of so many samples took their steps out."""
-    if not os.path.exists(path):
-        raise FormatError(f"There is no {path}.")
+    samples along each of their axes; `blur`: after a Gaussian of so many samples took their steps
+    out."""
+    if not os.path.isfile(path):
+        raise FormatError(f"There is no file {path}.")
+    try:
+        return read_by_ending(path, voxel, slices, blur)
+    except (OSError, EOFError, ValueError, LookupError, struct.error, zipfile.BadZipFile) as error:
+        raise FormatError(f"{path} is damaged, or not what its ending says: {error}.") from error
+
+
+def read_by_ending(path, voxel, slices, blur):
     name = path.lower()
     if name.endswith(".mrk.json"):
         return Markups.read_markups(path)
@@ -62,7 +72,7 @@ def read_vtk(path):
     """Lines and polygons; with a cell array Label, a structure for each of its values."""
     reader = vtkXMLPolyDataReader() if path.lower().endswith(".vtp") else vtkPolyDataReader()
     reader.SetFileName(path)
-    reader.Update()
+    run(reader)
     data = reader.GetOutput()
     loops = loops_of(data)
     if not loops:
