@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOrthogonalSliceReconstruction.h"
 
+#include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
 #include "Bridge/ReadPieces.h"
@@ -46,8 +47,15 @@ constexpr Choice<orthoslices::Orientation> Orientations[] = {
   { Filter::ORIENT_AS_DRAWN, orthoslices::Orientation::AsDrawn, "AsDrawn" }
 };
 /// Whether the input is refused.
-constexpr Choice<bool> InvalidContoursModes[] = { { Filter::REFUSE, true, "Refuse" },
-  { Filter::LEAVE_OUT, false, "LeaveOut" } };
+constexpr Choice<orthoslices::InvalidContours> InvalidContoursModes[] = {
+  { Filter::REFUSE, orthoslices::InvalidContours::Refuse, "Refuse" },
+  { Filter::LEAVE_OUT, orthoslices::InvalidContours::LeaveOut, "LeaveOut" },
+  { Filter::MEND, orthoslices::InvalidContours::Mend, "Mend" }
+};
+constexpr Choice<orthoslices::BorderContours> BorderContoursModes[] = {
+  { Filter::CLOSE_ALONG_BORDER, orthoslices::BorderContours::CloseAlong, "CloseAlongBorder" },
+  { Filter::REFUSE_AT_BORDER, orthoslices::BorderContours::Refuse, "Refuse" }
+};
 constexpr Choice<orthoslices::CrossingContours> CrossingContoursModes[] = {
   { Filter::REPAIR_CROSSING, orthoslices::CrossingContours::Repair, "Repair" },
   { Filter::REFUSE_CROSSING, orthoslices::CrossingContours::Refuse, "Refuse" },
@@ -96,9 +104,9 @@ constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
   return true;
 }
 static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
-    IsIndexed(CrossingContoursModes) && IsIndexed(VirtualSlicesModes) &&
-    IsIndexed(SeveralCyclesModes) && IsIndexed(Correspondences) && IsIndexed(PatchTypes) &&
-    IsIndexed(CentralPoints),
+    IsIndexed(BorderContoursModes) && IsIndexed(CrossingContoursModes) &&
+    IsIndexed(VirtualSlicesModes) && IsIndexed(SeveralCyclesModes) && IsIndexed(Correspondences) &&
+    IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
   "The setters clamp properties to their first and last value");
 
 /// More contour vertices than that on one port do not fit into the core's numbers.
@@ -111,7 +119,7 @@ constexpr double ProgressBeforeSurface = 0.9;
 vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(6);
+  this->SetNumberOfOutputPorts(7);
 }
 
 int vtkOrthogonalSliceReconstruction::FillInputPortInformation(int, vtkInformation* info)
@@ -160,6 +168,11 @@ vtkTable* vtkOrthogonalSliceReconstruction::GetSliceTable()
 vtkTable* vtkOrthogonalSliceReconstruction::GetUndecidedTable()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(5));
+}
+
+vtkTable* vtkOrthogonalSliceReconstruction::GetProblemTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(6));
 }
 
 int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
@@ -305,7 +318,8 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.InsertMissing = this->InsertMissingContours;
   options.Virtual = VirtualSlicesModes[this->VirtualSlices].Value;
   options.VirtualSpacing = this->VirtualSliceSpacing;
-  options.RefuseInvalid = InvalidContoursModes[this->InvalidContours].Value;
+  options.Invalid = InvalidContoursModes[this->InvalidContours].Value;
+  options.AtBorder = BorderContoursModes[this->BorderContours].Value;
   options.Crossing = CrossingContoursModes[this->CrossingContours].Value;
   if (std::any_of(this->AxisWeights, this->AxisWeights + 3, [](double w) { return w > 0.0; }))
   {
@@ -376,6 +390,7 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   orthoslices::WriteContourTable(result, vtkTable::GetData(outputs, 3));
   orthoslices::WriteSliceTable(result, vtkTable::GetData(outputs, 4));
   orthoslices::WriteUndecidedTable(result, vtkTable::GetData(outputs, 5));
+  orthoslices::WriteProblemTable(result, vtkTable::GetData(outputs, 6));
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
   orthoslices::WriteGraph(result, doublePrecision, vtkPolyData::GetData(outputs, 1));
   this->UpdateProgress(ProgressBeforeSurface);
@@ -392,6 +407,7 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PlaneTolerance: " << this->PlaneTolerance << "\n";
   os << indent << "Orientation: " << Orientations[this->Orientation].Name << "\n";
   os << indent << "InvalidContours: " << InvalidContoursModes[this->InvalidContours].Name << "\n";
+  os << indent << "BorderContours: " << BorderContoursModes[this->BorderContours].Name << "\n";
   os << indent << "CrossingContours: " << CrossingContoursModes[this->CrossingContours].Name
      << "\n";
   os << indent << "InsertMissingContours: " << (this->InsertMissingContours ? "On" : "Off") << "\n";

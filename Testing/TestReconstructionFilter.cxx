@@ -81,7 +81,7 @@ void ExpectEmptyOutputs(vtkOrthogonalSliceReconstruction* filter)
     EXPECT_EQ(output->GetNumberOfPoints(), 0);
     EXPECT_EQ(output->GetNumberOfCells(), 0);
   }
-  for (int port = 2; port < 6; ++port)
+  for (int port = 2; port < 7; ++port)
   {
     EXPECT_EQ(TableOf(filter, port)->GetNumberOfRows(), 0);
   }
@@ -92,6 +92,7 @@ void ExpectRefused(const std::string& text, const std::vector<std::string>& part
 {
   SCOPED_TRACE(text);
   TextRun run(text);
+  run.Filter->SetInvalidContoursToRefuse();
   run.Filter->SetCrossingContoursToRefuse();
   run.Update();
   ASSERT_GE(run.Errors.size(), 1u);
@@ -107,11 +108,11 @@ PieceSets Stomach() { return ReadPieceSets({ "lbl_stomach", 1, 0, false }, 32); 
 }
 
 //----------------------------------------------------------------------------
-TEST(ReconstructionFilter, HasThreeOptionalInputsAndSixOutputs)
+TEST(ReconstructionFilter, HasThreeOptionalInputsAndSevenOutputs)
 {
   vtkNew<vtkOrthogonalSliceReconstruction> filter;
   EXPECT_EQ(filter->GetNumberOfInputPorts(), 3);
-  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 6);
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 7);
   for (int port = 0; port < 3; ++port)
   {
     vtkInformation* info = filter->GetInputPortInformation(port);
@@ -124,7 +125,7 @@ TEST(ReconstructionFilter, HasThreeOptionalInputsAndSixOutputs)
   EXPECT_NE(run.Filter->GetHistogramOutput(), nullptr);
   EXPECT_EQ(run.Filter->GetOutputDataObject(1), run.Filter->GetGraphOutput());
   EXPECT_EQ(run.Filter->GetOutputDataObject(2), run.Filter->GetHistogramOutput());
-  for (int port = 2; port < 5; ++port)
+  for (int port = 2; port < 7; ++port)
   {
     EXPECT_NE(vtkTable::SafeDownCast(run.Filter->GetOutputDataObject(port)), nullptr);
   }
@@ -136,7 +137,8 @@ TEST(ReconstructionFilter, DefaultsAndRanges)
   vtkNew<vtkOrthogonalSliceReconstruction> filter;
   EXPECT_EQ(filter->GetPlaneTolerance(), 1e-5);
   EXPECT_EQ(filter->GetOrientation(), vtkOrthogonalSliceReconstruction::ORIENT_BY_NESTING);
-  EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::REFUSE);
+  EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::MEND);
+  EXPECT_EQ(filter->GetBorderContours(), vtkOrthogonalSliceReconstruction::CLOSE_ALONG_BORDER);
   EXPECT_EQ(filter->GetCrossingContours(), vtkOrthogonalSliceReconstruction::REPAIR_CROSSING);
   EXPECT_EQ(filter->GetCentralPoint(), vtkOrthogonalSliceReconstruction::LEAST_SQUARES);
   EXPECT_TRUE(filter->GetComputeNormals());
@@ -148,7 +150,9 @@ TEST(ReconstructionFilter, DefaultsAndRanges)
   filter->SetOrientation(9);
   EXPECT_EQ(filter->GetOrientation(), vtkOrthogonalSliceReconstruction::ORIENT_AS_DRAWN);
   filter->SetInvalidContours(9);
-  EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::LEAVE_OUT);
+  EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::MEND);
+  filter->SetBorderContours(9);
+  EXPECT_EQ(filter->GetBorderContours(), vtkOrthogonalSliceReconstruction::REFUSE_AT_BORDER);
   filter->SetCrossingContours(9);
   EXPECT_EQ(filter->GetCrossingContours(), vtkOrthogonalSliceReconstruction::LEAVE_OUT_CROSSING);
   filter->SetCentralPoint(-3);
@@ -163,6 +167,10 @@ TEST(ReconstructionFilter, EverySetterChangesTheTimeOnlyIfTheValueChanges)
     [&] { filter->SetPlaneTolerance(0.01); },
     [&] { filter->SetOrientationToAsDrawn(); },
     [&] { filter->SetInvalidContoursToLeaveOut(); },
+    [&] { filter->SetInvalidContoursToRefuse(); },
+    [&] { filter->SetInvalidContoursToMend(); },
+    [&] { filter->SetBorderContoursToRefuse(); },
+    [&] { filter->SetBorderContoursToCloseAlongBorder(); },
     [&] { filter->SetCrossingContoursToRefuse(); },
     [&] { filter->SetCrossingContoursToLeaveOut(); },
     [&] { filter->SetCentralPointToCentroid(); },
@@ -191,6 +199,7 @@ TEST(ReconstructionFilter, PrintsEveryProperty)
   std::ostringstream text;
   filter->Print(text);
   for (const char* name : { "PlaneTolerance: 1e-05", "Orientation: ", "InvalidContours: LeaveOut",
+         "BorderContours: CloseAlongBorder",
          "CrossingContours: ", "CentralPoint: ", "AxisWeights: 1 1 1", "ReportTolerance: 0.001",
          "ComputeNormals: ", "OutputPointsPrecision: " })
   {
@@ -314,6 +323,7 @@ TEST(ReconstructionFilter, ManyProblemsAreCountedAndTheFirstListed)
     text += "z=9: " + std::to_string(4 * i) + ",0 nan,1 1,1\n";
   }
   TextRun run{ text };
+  run.Filter->SetInvalidContoursToRefuse();
   run.Update();
   ASSERT_GE(run.Errors.size(), 1u);
   EXPECT_TRUE(Contains(run.Errors[0], "25")) << run.Errors[0];
