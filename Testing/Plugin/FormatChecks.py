@@ -21,7 +21,7 @@ BALL = 4 / 3 * math.pi * 10**3
 # Axes of an image that are turned by 30 degrees around x and flipped: no coordinate axis but x.
 OBLIQUE = numpy.array([[0, 1, 0], [math.sqrt(0.75), 0, -0.5], [-0.5, 0, -math.sqrt(0.75)]])
 # The same coordinate axes in another order, one of them reversed: left-handed.
-PERMUTED = numpy.array([[0, 0, 1], [-1, 0, 0], [0, -1, 0.0]])
+PERMUTED = numpy.array([[0, 0, 1], [-1, 0, 0], [0, 1, 0.0]])
 SPACING = numpy.array([0.8, 1.0, 1.25])
 ORIGIN = numpy.array([-20.0, 35.0, 7.0])
 

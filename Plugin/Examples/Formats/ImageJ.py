@@ -57,6 +57,7 @@ def decode(data, name):
         raise FormatError(f"{name} is no selection of ImageJ.")
     kind = data[6]
     top, left, bottom, right, count = struct.unpack_from(">4hH", data, 8)
+    count = count or struct.unpack_from(">i", data, 18)[0] # of many points
     options, = struct.unpack_from(">H", data, 50)
     position, second = struct.unpack_from(">2i", data, 56)
     if second > 0 and len(data) >= second + 12:
