@@ -129,7 +129,7 @@ private:
   bool MakeSurface();
   bool AddVirtualSlices();
   bool BendStack();
-  bool Bend(const Reconstruction& base, std::vector<Point3>&& guides);
+  bool Bend(const Reconstruction& base, GuideCurves&& guides);
   void ExpectTopologyOf(const Reconstruction& base);
   bool ReadContours(std::array<Pieces, 3>&& pieces);
   bool OrientSlices();
@@ -425,13 +425,12 @@ bool StageRunner::BendStack()
     this->Result.Stopped = true;
     return false;
   }
-  return this->Bend(
-    stack.Result, SamplePoints(SelectAxis(this->Drawn, axis, false), this->Density.EdgeLength()));
+  return this->Bend(stack.Result, CutGuides(this->Drawn, this->Result.Grid, axis));
 }
 
 /// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
 /// there are none, or if the topology comes out another than that of `base`.
-bool StageRunner::Bend(const Reconstruction& base, std::vector<Point3>&& guides)
+bool StageRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
 {
   Execution execution = this->Execute;
   execution.Continue = [this](double progress) { return this->GoOn(progress); };

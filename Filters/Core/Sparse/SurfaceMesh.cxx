@@ -3,6 +3,7 @@
 #include "Core/Sparse/SurfaceMesh.h"
 
 #include "Core/Graph/CycleGeometry.h"
+#include "Core/Sparse/GuideEnds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,33 +111,59 @@ void FindStretch(const CycleGeometry& geometry, SurfaceMesh& mesh)
   }
 }
 
-/// A patch that is as flat as that against the distance of slices ends the object there.
-constexpr double Flatness = 0.02;
+/// The points of a patch, some of them more than once.
+std::vector<Index> ListPointsOf(Index patch, const Patches& patches, const SurfaceMesh& mesh)
+{
+  std::vector<Index> points;
+  for (std::int64_t corner = 3 * patches.Offsets[patch]; corner < 3 * patches.Offsets[patch + 1];
+       ++corner)
+  {
+    points.push_back(mesh.Corners.VertexOf(static_cast<Index>(corner)));
+  }
+  return points;
+}
+
+/// Whether the object ends flat with a patch of an only family, as the patch has it.
+bool IsFlat(const std::vector<Index>& points, double spacing, const SurfaceMesh& mesh)
+{
+  Box3 box;
+  for (const Index point : points)
+  {
+    box.Add(mesh.Points[point]);
+  }
+  const int axis = mesh.StretchAxis;
+  return box.High[axis] - box.Low[axis] < FlatShare * spacing;
+}
 
 /// Where the object ends with a flat patch in a slice, the surface has an edge around it.
-void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches, SurfaceMesh& mesh)
+void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches,
+  const GuideCurves& guides, SurfaceMesh& mesh)
 {
-  for (Index patch = 0; patch < geometry.Cycles.Count(); ++patch)
+  const Index count = geometry.Grid.Count(mesh.StretchAxis);
+  const double spacing = geometry.Grid.MeanSpacing(mesh.StretchAxis);
+  const std::vector<double> heights = FindEndHeights(geometry.Graph, guides);
+  for (Index patch = 0; patch < geometry.Cycles.Count() && count > 1; ++patch)
   {
-    Box3 box;
-    const auto forPoints = [&](auto&& visit)
+    const Index slab = geometry.Cycles.Cell[patch][mesh.StretchAxis];
+    const std::vector<Index> points = ListPointsOf(patch, patches, mesh);
+    double height = -1.0;
+    for (const Index point : points)
     {
-      for (std::int64_t triangle = patches.Offsets[patch]; triangle < patches.Offsets[patch + 1];
-           ++triangle)
-      {
-        for (Index corner = 0; corner < 3; ++corner)
-        {
-          visit(mesh.Corners.VertexOf(static_cast<Index>(3 * triangle) + corner));
-        }
-      }
-    };
-    forPoints([&](Index point) { box.Add(mesh.Points[point]); });
-    for (int axis = 0; axis < 3; ++axis)
+      const bool isEnd = (slab == 0 || slab == count) && mesh.Fixed[point];
+      height = std::max(height, isEnd ? heights[point] : -1.0);
+    }
+    if (height >= 0.0 ? height >= FlatShare * spacing : !IsFlat(points, spacing, mesh))
     {
-      if (geometry.Grid.Count(axis) > 1 &&
-        box.High[axis] - box.Low[axis] < Flatness * geometry.Grid.MeanSpacing(axis))
+      continue;
+    }
+    for (const Index point : points)
+    {
+      mesh.Crease[point] |= mesh.Fixed[point];
+      if (height >= 0.0 && !mesh.Fixed[point])
       {
-        forPoints([&](Index point) { mesh.Crease[point] |= mesh.Fixed[point]; });
+        const Box3& cell = mesh.Cells[patch];
+        mesh.Points[point][mesh.StretchAxis] =
+          slab == 0 ? cell.High[mesh.StretchAxis] : cell.Low[mesh.StretchAxis];
       }
     }
   }
@@ -155,8 +182,23 @@ void MarkContours(SurfaceMesh& mesh)
 }
 }
 
-SurfaceMesh MakeSurfaceMesh(
-  const CycleGeometry& geometry, const Patches& patches, const Execution& execution)
+void SplitEdge(Index corner, double share, SurfaceMesh& mesh)
+{
+  const Index start = mesh.Corners.StartOf(corner);
+  const Index end = mesh.Corners.EndOf(corner);
+  const Index across = mesh.Corners.OppositeOf(corner);
+  const bool isCurve = mesh.Corners.IsCurve(corner);
+  mesh.Points.push_back(Between(mesh.Points[start], mesh.Points[end], share));
+  mesh.Stretch.push_back((1.0 - share) * mesh.Stretch[start] + share * mesh.Stretch[end]);
+  mesh.Fixed.push_back(isCurve ? 1 : 0);
+  mesh.Crease.push_back(mesh.Crease[start] && mesh.Crease[end] && isCurve ? 1 : 0);
+  mesh.Cell.push_back(mesh.Cell[corner / 3]);
+  mesh.Cell.push_back(mesh.Cell[across / 3]);
+  mesh.Corners.Split(corner);
+}
+
+SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patches,
+  const GuideCurves& guides, const Execution& execution)
 {
   std::vector<Point3> points = ListPoints(geometry.Graph, patches);
   SurfaceMesh mesh{ CornerTable(static_cast<Index>(points.size()),
@@ -170,6 +212,7 @@ SurfaceMesh MakeSurfaceMesh(
   {
     contours.Add(mesh.Points[point]);
   }
+  AddPoints(guides, contours);
   mesh.Cell.resize(static_cast<std::size_t>(patches.TriangleCount()));
   for (Index cycle = 0; cycle < geometry.Cycles.Count(); ++cycle)
   {
@@ -182,7 +225,7 @@ SurfaceMesh MakeSurfaceMesh(
   mesh.StretchAxis = FindOnlyFamily(geometry.Grid);
   if (mesh.StretchAxis >= 0)
   {
-    MarkFlatPatches(geometry, patches, mesh);
+    MarkFlatPatches(geometry, patches, guides, mesh);
     FindStretch(geometry, mesh);
   }
   return mesh;

@@ -4,19 +4,20 @@
 #define OrthoSlicesVirtualSlices_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Sparse/GuideCurves.h"
 #include "Core/Sparse/VirtualPlanes.h"
 #include "Core/Surface/LayOutTriangles.h"
 
 namespace orthoslices
 {
 /// What virtual slices are made from: a surface through the contours of all slices or of some, the
-/// planes of all of them, and points of those that took no part in the surface.
+/// planes of all of them, and the contours across of those that took no part in the surface.
 struct FairSource
 {
   const CycleGeometry& Geometry;
   const Patches& Surface;
   const SpatialGrid& Grid;
-  std::vector<Point3> Guides;
+  GuideCurves Guides;
 };
 
 /**
