@@ -133,17 +133,13 @@ double GuideCurves::Spacing() const
 
 double GuideCurves::HeightBeyond(const GuidePiece& piece) const
 {
-  const bool below = piece.Slab == 0;
-  if (!below && piece.Slab < static_cast<Index>(this->StackPlanes.size()))
-  {
-    return 0.0;
-  }
   double height = 0.0;
   for (const Point3& point : piece.Points)
   {
     const double at = point[this->StackAxis];
-    height = std::max(
-      height, below ? this->StackPlanes.front() - at : at - this->StackPlanes.back());
+    const double rise =
+      piece.Slab == 0 ? this->StackPlanes.front() - at : at - this->StackPlanes.back();
+    height = std::max(height, this->IsBeyond(piece) ? rise : 0.0);
   }
   return height;
 }

@@ -42,6 +42,11 @@ struct GuideCurves
   std::vector<double> StackPlanes; ///< ascending
   std::vector<GuideSlice> Slices;
 
+  /// Whether a piece lies beyond the first or the last slice of the stack.
+  bool IsBeyond(const GuidePiece& piece) const
+  {
+    return piece.Slab == 0 || piece.Slab == static_cast<Index>(this->StackPlanes.size());
+  }
   /// How far a piece goes beyond the last slice of the stack, in world units; 0 between its slices.
   double HeightBeyond(const GuidePiece& piece) const;
   /// The mean distance of the planes of the stack; 1 if there are fewer than two.

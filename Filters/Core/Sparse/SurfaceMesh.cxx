@@ -3,7 +3,7 @@
 #include "Core/Sparse/SurfaceMesh.h"
 
 #include "Core/Graph/CycleGeometry.h"
-#include "Core/Sparse/GuideEnds.h"
+#include "Core/Sparse/RaiseEnds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,13 +86,14 @@ constexpr double SpacingsOfRadiusAtEdge = 3.0;
 /// Thinner things are not worth the triangles.
 constexpr double MaxStretch = 16.0;
 
-void FindStretch(const CycleGeometry& geometry, SurfaceMesh& mesh)
+void FindStretch(const CycleGeometry& geometry, const StackEnds& ends, SurfaceMesh& mesh)
 {
   const NodeGraph& graph = geometry.Graph;
   for (Index loop = 0; loop < static_cast<Index>(graph.Loops.size()); ++loop)
   {
     const Index first = graph.FirstPoint(graph.Arcs + loop);
-    const double spacings = mesh.Crease[first] != 0 ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
+    const bool isAtEdge = mesh.Crease[first] != 0 || ends.OfLoop[loop] == EndKind::Rim;
+    const double spacings = isAtEdge ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
     const double needed = spacings * geometry.Grid.MeanSpacing(mesh.StretchAxis);
     const double stretch = std::clamp(needed / ThicknessOfLoop(graph, loop), 1.0, MaxStretch);
     std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), stretch);
@@ -135,35 +136,21 @@ bool IsFlat(const std::vector<Index>& points, double spacing, const SurfaceMesh&
   return box.High[axis] - box.Low[axis] < FlatShare * spacing;
 }
 
-/// Where the object ends with a flat patch in a slice, the surface has an edge around it.
-void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches,
-  const GuideCurves& guides, SurfaceMesh& mesh)
+/// Where the object ends with a flat patch, in a slice or within a rim, the surface has an edge around it.
+void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches, const StackEnds& ends,
+  SurfaceMesh& mesh)
 {
-  const Index count = geometry.Grid.Count(mesh.StretchAxis);
   const double spacing = geometry.Grid.MeanSpacing(mesh.StretchAxis);
-  const std::vector<double> heights = FindEndHeights(geometry.Graph, guides);
-  for (Index patch = 0; patch < geometry.Cycles.Count() && count > 1; ++patch)
+  const bool hasSpacing = geometry.Grid.Count(mesh.StretchAxis) > 1;
+  for (Index patch = 0; patch < geometry.Cycles.Count() && hasSpacing; ++patch)
   {
-    const Index slab = geometry.Cycles.Cell[patch][mesh.StretchAxis];
     const std::vector<Index> points = ListPointsOf(patch, patches, mesh);
-    double height = -1.0;
-    for (const Index point : points)
+    const EndKind kind = ends.OfPatch[patch];
+    if (kind == EndKind::Unknown ? IsFlat(points, spacing, mesh) : kind != EndKind::Dome)
     {
-      const bool isEnd = (slab == 0 || slab == count) && mesh.Fixed[point];
-      height = std::max(height, isEnd ? heights[point] : -1.0);
-    }
-    if (height >= 0.0 ? height >= FlatShare * spacing : !IsFlat(points, spacing, mesh))
-    {
-      continue;
-    }
-    for (const Index point : points)
-    {
-      mesh.Crease[point] |= mesh.Fixed[point];
-      if (height >= 0.0 && !mesh.Fixed[point])
+      for (const Index point : points)
       {
-        const Box3& cell = mesh.Cells[patch];
-        mesh.Points[point][mesh.StretchAxis] =
-          slab == 0 ? cell.High[mesh.StretchAxis] : cell.Low[mesh.StretchAxis];
+        mesh.Crease[point] |= mesh.Fixed[point];
       }
     }
   }
@@ -198,35 +185,45 @@ void SplitEdge(Index corner, double share, SurfaceMesh& mesh)
 }
 
 SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patches,
-  const GuideCurves& guides, const Execution& execution)
+  GuideCurves& guides, const Execution& execution)
 {
-  std::vector<Point3> points = ListPoints(geometry.Graph, patches);
-  SurfaceMesh mesh{ CornerTable(static_cast<Index>(points.size()),
-                      ListTriangles(geometry, patches, execution)),
-    std::move(points), {}, {}, {}, {}, -1, {} };
-  mesh.Fixed.assign(mesh.Points.size(), 0);
-  mesh.Crease.assign(mesh.Points.size(), 0);
-  std::fill_n(mesh.Fixed.begin(), geometry.Graph.Count(), std::uint8_t(1));
+  DraftMesh draft{ ListPoints(geometry.Graph, patches),
+    ListTriangles(geometry, patches, execution), {} };
+  const std::size_t given = draft.Points.size();
+  const Index cycles = geometry.Cycles.Count();
+  draft.Patch.resize(draft.Triangles.size());
   Box3 contours;
   for (Index point = 0; point < geometry.Graph.Count(); ++point)
   {
-    contours.Add(mesh.Points[point]);
+    contours.Add(draft.Points[point]);
   }
   AddPoints(guides, contours);
-  mesh.Cell.resize(static_cast<std::size_t>(patches.TriangleCount()));
-  for (Index cycle = 0; cycle < geometry.Cycles.Count(); ++cycle)
+  std::vector<Box3> cells;
+  for (Index cycle = 0; cycle < cycles; ++cycle)
   {
-    mesh.Cells.push_back(BoundCell(geometry.Grid, contours, geometry.Cycles.Cell[cycle]));
-    std::fill(mesh.Cell.begin() + patches.Offsets[cycle],
-      mesh.Cell.begin() + patches.Offsets[cycle + 1], cycle);
+    cells.push_back(BoundCell(geometry.Grid, contours, geometry.Cycles.Cell[cycle]));
+    std::fill(draft.Patch.begin() + patches.Offsets[cycle],
+      draft.Patch.begin() + patches.Offsets[cycle + 1], cycle);
   }
-  MarkContours(mesh);
-  mesh.Stretch.assign(mesh.Points.size(), 1.0);
-  mesh.StretchAxis = FindOnlyFamily(geometry.Grid);
-  if (mesh.StretchAxis >= 0)
+  for (Index cycle = 0; cycle < cycles; ++cycle)
   {
-    MarkFlatPatches(geometry, patches, guides, mesh);
-    FindStretch(geometry, mesh);
+    cells.push_back(cells[cycle]); // of the wall of its rim
+  }
+  const int axis = FindOnlyFamily(geometry.Grid);
+  const StackEnds ends =
+    axis >= 0 ? RaiseEnds(geometry, patches, guides, draft) : StackEnds();
+  const std::size_t count = draft.Points.size();
+  SurfaceMesh mesh{ CornerTable(static_cast<Index>(count), draft.Triangles),
+    std::move(draft.Points), {}, std::vector<std::uint8_t>(count, 0), std::move(draft.Patch),
+    std::move(cells), axis, std::vector<double>(count, 1.0) };
+  mesh.Fixed.assign(count, 0);
+  std::fill_n(mesh.Fixed.begin(), geometry.Graph.Count(), std::uint8_t(1));
+  std::fill(mesh.Fixed.begin() + static_cast<std::ptrdiff_t>(given), mesh.Fixed.end(), std::uint8_t(1));
+  MarkContours(mesh);
+  if (axis >= 0)
+  {
+    MarkFlatPatches(geometry, patches, ends, mesh);
+    FindStretch(geometry, ends, mesh);
   }
   return mesh;
 }

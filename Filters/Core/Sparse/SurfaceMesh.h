@@ -76,14 +76,14 @@ void SplitEdge(Index corner, double share, SurfaceMesh& mesh);
  *
  * With one family of slices, contours around a patch that is flatter than FlatShare of the spacing
  * become creases: the object ends flat. Where guides show what is beyond the last slice, they decide
- * whether it does, and a patch that turns out flat is moved into the slice. At creases, too, points of a contour are stretched by what makes
+ * whether it does there or within a rim farther out (RaiseEnds). At creases, too, points of a contour are stretched by what makes
  * its thickness (twice its area by its length: the radius of a circle) 0.85 of the mean spacing, or 3
  * spacings at a crease, between 1 and 16 times; other points as the one beside them that is
  * stretched most.
  * REQUIRES: the patches are laid out as triangles.
  */
 SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patches,
-  const GuideCurves& guides, const Execution& execution);
+  GuideCurves& guides, const Execution& execution);
 }
 
 #endif

@@ -21,7 +21,9 @@ constexpr double WideSlab = 1.4;
 /// An axis has few planes if another one has so many times more.
 constexpr Index FewAgainstMany = 3;
 /// A stack across which a surface can bend.
-constexpr Index EnoughPlanes = 8;
+constexpr Index EnoughPlanes = 5;
+/// As few slices across guide a stack of any height.
+constexpr Index FewAcross = 2;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Of the axes that have planes.
@@ -53,14 +55,15 @@ bool NeedsMore(const SpatialGrid& grid)
   return isStack ? families == 1 || most >= EnoughPlanes : least == 0;
 }
 
-/// The axis with at least FewAgainstMany times as many planes as all others together, if they have
-/// any, and EnoughPlanes; -1 if there is none.
+/// The axis with EnoughPlanes whose others together have FewAcross, or at most one for FewAgainstMany
+/// of its own, but some; -1 if there is none.
 int FindStack(const SpatialGrid& grid)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
     const Index across = grid.Count(FirstAxis(axis)) + grid.Count(SecondAxis(axis));
-    if (across > 0 && grid.Count(axis) >= std::max(EnoughPlanes, FewAgainstMany * across))
+    const Index few = std::max(FewAcross, grid.Count(axis) / FewAgainstMany);
+    if (grid.Count(axis) >= EnoughPlanes && across > 0 && across <= few)
     {
       return axis;
     }

@@ -122,8 +122,9 @@ Contours MakeVirtualSlices(
   const FairSource& source, const SliceDensity& density, const Execution& execution)
 {
   Contours contours;
-  SurfaceMesh mesh = MakeSurfaceMesh(source.Geometry, source.Surface, source.Guides, execution);
-  if (!MakeFair(source.Guides, density.EdgeLength(), execution, mesh))
+  GuideCurves guides = source.Guides;
+  SurfaceMesh mesh = MakeSurfaceMesh(source.Geometry, source.Surface, guides, execution);
+  if (!MakeFair(guides, density.EdgeLength(), execution, mesh))
   {
     return contours;
   }

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Sparse/RaiseEnds.h"
+
+#include "Core/Graph/CycleGeometry.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+namespace
+{
+class EndRaiser
+{
+public:
+  EndRaiser(const CycleGeometry& geometry, const Patches& patches, DraftMesh& draft)
+    : Geometry(geometry)
+    , Graph(geometry.Graph)
+    , TrianglesOf(patches.Offsets)
+    , Draft(draft)
+    , Axis(FindOnlyFamily(geometry.Grid))
+  {
+  }
+
+  StackEnds Run(GuideCurves& guides);
+
+private:
+  void NumberLoops();
+  std::vector<Index> ListLoops(Index patch) const;
+  bool IsLow(Index patch) const { return this->Geometry.Cycles.Cell[patch][this->Axis] == 0; }
+  void CombineAnchors(const std::vector<Index>& loops);
+  void Raise(Index patch, const std::vector<Index>& loops);
+  void AddWall(Index patch, Index loop, Index rim);
+  void MoveInner(Index patch, double level);
+
+  const CycleGeometry& Geometry;
+  const NodeGraph& Graph;
+  const std::vector<std::int64_t>& TrianglesOf;
+  DraftMesh& Draft;
+  const int Axis;
+  std::vector<Index> LoopOf; ///< of each point of G
+  std::vector<LoopEnd> Ends;
+};
+
+void EndRaiser::NumberLoops()
+{
+  this->LoopOf.assign(static_cast<std::size_t>(this->Graph.Count()), -1);
+  for (Index loop = 0; loop < static_cast<Index>(this->Graph.Loops.size()); ++loop)
+  {
+    const Index arc = this->Graph.Arcs + loop;
+    std::fill_n(
+      this->LoopOf.begin() + this->Graph.FirstPoint(arc), this->Graph.PointCount(arc), loop);
+  }
+}
+
+/// The loops around a patch, each once.
+std::vector<Index> EndRaiser::ListLoops(Index patch) const
+{
+  std::vector<Index> loops;
+  for (std::int64_t t = this->TrianglesOf[patch]; t < this->TrianglesOf[patch + 1]; ++t)
+  {
+    for (const Index point : this->Draft.Triangles[t])
+    {
+      const Index loop = point < this->Graph.Count() ? this->LoopOf[point] : -1;
+      if (loop >= 0 && (loops.empty() || loops.back() != loop))
+      {
+        loops.push_back(loop);
+      }
+    }
+  }
+  std::sort(loops.begin(), loops.end());
+  loops.erase(std::unique(loops.begin(), loops.end()), loops.end());
+  return loops;
+}
+
+/// Loops of a patch that no guide meets have a rim as far away as the others in the mean.
+void EndRaiser::CombineAnchors(const std::vector<Index>& loops)
+{
+  RimAnchor mean;
+  double count = 0.0;
+  for (const Index loop : loops)
+  {
+    for (const RimAnchor& anchor : this->Ends[loop].Anchors)
+    {
+      mean.Outwards += anchor.Outwards;
+      mean.Upwards += anchor.Upwards;
+      count += 1.0;
+    }
+  }
+  mean.Outwards /= count;
+  mean.Upwards /= count;
+  for (const Index loop : loops)
+  {
+    if (this->Ends[loop].Anchors.empty())
+    {
+      this->Ends[loop].Anchors.push_back(mean);
+    }
+  }
+}
+
+/// Points of a patch that are not on loops move to a level.
+void EndRaiser::MoveInner(Index patch, double level)
+{
+  for (std::int64_t t = this->TrianglesOf[patch]; t < this->TrianglesOf[patch + 1]; ++t)
+  {
+    for (const Index point : this->Draft.Triangles[t])
+    {
+      if (point >= this->Graph.Count())
+      {
+        this->Draft.Points[point][this->Axis] = level;
+      }
+    }
+  }
+}
+
+/// The wall between a loop and its rim, whose points are numbered from `rim` on.
+void EndRaiser::AddWall(Index patch, Index loop, Index rim)
+{
+  const Index arc = this->Graph.Arcs + loop, first = this->Graph.FirstPoint(arc);
+  const Index count = this->Graph.PointCount(arc);
+  for (Index i = 0; i < count; ++i)
+  {
+    const Index j = (i + 1) % count;
+    std::array<Index, 3> one{ first + i, first + j, rim + j }, other{ first + i, rim + j, rim + i };
+    if (this->IsLow(patch)) // seen from outside, the loop runs the other way
+    {
+      std::swap(one[1], one[2]);
+      std::swap(other[1], other[2]);
+    }
+    this->Draft.Triangles.push_back(one);
+    this->Draft.Triangles.push_back(other);
+    this->Draft.Patch.insert(this->Draft.Patch.end(), 2, this->Geometry.Cycles.Count() + patch);
+  }
+}
+
+void EndRaiser::Raise(Index patch, const std::vector<Index>& loops)
+{
+  this->CombineAnchors(loops);
+  const Index base = static_cast<Index>(this->Draft.Points.size());
+  std::vector<Index> rims;
+  double level = 0.0;
+  for (const Index loop : loops)
+  {
+    rims.push_back(static_cast<Index>(this->Draft.Points.size()));
+    const std::vector<Point3> rim = PlaceRim(
+      this->Graph, loop, this->IsLow(patch) ? -1.0 : 1.0, this->Ends[loop].Anchors);
+    this->Draft.Points.insert(this->Draft.Points.end(), rim.begin(), rim.end());
+    this->AddWall(patch, loop, rims.back());
+    for (const Point3& point : rim)
+    {
+      level += point[this->Axis];
+    }
+  }
+  this->MoveInner(patch, level / static_cast<double>(this->Draft.Points.size() - base));
+  for (std::int64_t t = this->TrianglesOf[patch]; t < this->TrianglesOf[patch + 1]; ++t)
+  {
+    for (Index& point : this->Draft.Triangles[t])
+    {
+      if (point < this->Graph.Count())
+      {
+        const Index loop = this->LoopOf[point];
+        const auto at = std::lower_bound(loops.begin(), loops.end(), loop) - loops.begin();
+        point += rims[at] - this->Graph.FirstPoint(this->Graph.Arcs + loop);
+      }
+    }
+  }
+}
+
+StackEnds EndRaiser::Run(GuideCurves& guides)
+{
+  this->NumberLoops();
+  this->Ends = FindLoopEnds(this->Graph, guides);
+  const Index patches = this->Geometry.Cycles.Count();
+  StackEnds result{ std::vector<EndKind>(patches, EndKind::Unknown), {} };
+  for (Index patch = 0; patch < patches; ++patch)
+  {
+    const Index slab = this->Geometry.Cycles.Cell[patch][this->Axis];
+    if (slab != 0 && slab != this->Geometry.Grid.Count(this->Axis))
+    {
+      continue;
+    }
+    const std::vector<Index> loops = this->ListLoops(patch);
+    EndKind kind = EndKind::Unknown;
+    for (const Index loop : loops)
+    {
+      kind = CombineEnds(kind, this->Ends[loop].Kind);
+    }
+    for (const Index loop : loops)
+    {
+      this->Ends[loop].Kind = kind;
+    }
+    result.OfPatch[patch] = kind;
+    if (kind == EndKind::Rim)
+    {
+      this->Raise(patch, loops);
+    }
+    else if (kind == EndKind::Flat)
+    {
+      this->MoveInner(patch, this->Graph.PointAt(this->Graph.FirstPoint(
+                               this->Graph.Arcs + loops.front()))[this->Axis]);
+    }
+  }
+  CutAtRims(this->Graph, this->Ends, guides);
+  for (const LoopEnd& end : this->Ends)
+  {
+    result.OfLoop.push_back(end.Kind);
+  }
+  return result;
+}
+}
+
+StackEnds RaiseEnds(
+  const CycleGeometry& geometry, const Patches& patches, GuideCurves& guides, DraftMesh& draft)
+{
+  return EndRaiser(geometry, patches, draft).Run(guides);
+}
+}
