@@ -26,7 +26,7 @@ struct LoopPlace
   double Along = 0.0;
 };
 
-/// What a piece beyond the stack shows.
+/// What a piece shows that does not go on to another slice.
 struct PieceEnd
 {
   bool IsFlat = false;
@@ -41,7 +41,7 @@ public:
     : Graph(graph)
     , Guides(guides)
     , Flat(FlatShare * guides.Spacing())
-    , Ends(graph.Loops.size())
+    , Ends(2 * graph.Loops.size())
   {
   }
 
@@ -49,7 +49,7 @@ public:
   std::vector<LoopEnd> Run();
 
 private:
-  LoopPlace FindPlace(const GuidePiece& piece, const Point3& point) const;
+  LoopPlace FindPlace(Index plane, const Point3& point) const;
   double Rise(const GuidePiece& piece, const Point3& point) const;
   void FindLevel(const GuidePiece& piece, double height, PieceEnd& end) const;
   void Note(const GuidePiece& piece);
@@ -60,15 +60,14 @@ private:
   std::vector<LoopEnd> Ends;
 };
 
-/// The nearest place to an end of a piece; of no loop if it is not on the slice.
-LoopPlace LoopEndFinder::FindPlace(const GuidePiece& piece, const Point3& point) const
+/// The nearest place to a point on a plane; of no loop if there is no plane.
+LoopPlace LoopEndFinder::FindPlace(Index plane, const Point3& point) const
 {
-  const Index plane = piece.Slab == 0 ? 0 : static_cast<Index>(this->Guides.StackPlanes.size()) - 1;
   double least = std::numeric_limits<double>::infinity();
   LoopPlace found;
   for (Index loop = 0; loop < static_cast<Index>(this->Graph.Loops.size()); ++loop)
   {
-    if (this->Graph.Loops[loop].Plane != plane || this->Rise(piece, point) > 0.5 * this->Flat)
+    if (this->Graph.Loops[loop].Plane != plane)
     {
       continue;
     }
@@ -101,12 +100,20 @@ Point3 OutwardsOf(const NodeGraph& graph, Index loop, Index side)
     Cross(graph.PointAt(first + (side + 1) % count) - graph.PointAt(first + side), axis));
 }
 
-/// How far a point is beyond the slice from which its piece comes.
+/// The plane on which a piece begins and ends; the only one, if at one end it meets another guide;
+/// -1 if it goes from one plane to another, or from guide to guide.
+Index PlaneOf(const GuidePiece& piece)
+{
+  const auto& [from, to] = piece.Planes;
+  return from < 0 || to < 0 || from == to ? std::max(from, to) : -1;
+}
+
+/// How far a point is from the plane of its piece. REQUIRES: there is one.
 double LoopEndFinder::Rise(const GuidePiece& piece, const Point3& point) const
 {
-  const double at = point[this->Guides.StackAxis];
-  return piece.Slab == 0 ? this->Guides.StackPlanes.front() - at
-                         : at - this->Guides.StackPlanes.back();
+  const Index plane = PlaneOf(piece);
+  const double above = point[this->Guides.StackAxis] - this->Guides.StackPlanes[plane];
+  return piece.Slab > plane ? above : -above;
 }
 
 /// Finds the first and the last point of a piece on the level of its greatest height, if most of it
@@ -136,15 +143,19 @@ void LoopEndFinder::FindLevel(const GuidePiece& piece, double height, PieceEnd& 
 PieceEnd LoopEndFinder::Look(const GuidePiece& piece) const
 {
   PieceEnd end;
-  const double height = this->Guides.HeightBeyond(piece);
+  double height = 0.0;
+  for (const Point3& point : piece.Points)
+  {
+    height = std::max(height, this->Rise(piece, point));
+  }
   end.IsFlat = height < this->Flat;
   this->FindLevel(piece, height, end);
-  end.AtStart = this->FindPlace(piece, piece.Points.front());
-  end.AtEnd = this->FindPlace(piece, piece.Points.back());
+  end.AtStart = this->FindPlace(piece.Planes[0], piece.Points.front());
+  end.AtEnd = this->FindPlace(piece.Planes[1], piece.Points.back());
   return end;
 }
 
-/// Notes what a piece beyond the stack says to the loops at its ends.
+/// Notes what a piece says to the loops at its ends.
 void LoopEndFinder::Note(const GuidePiece& piece)
 {
   const PieceEnd end = this->Look(piece);
@@ -160,7 +171,7 @@ void LoopEndFinder::Note(const GuidePiece& piece)
     const double outwards = Dot(way, OutwardsOf(this->Graph, place.Loop, place.Side));
     const double upwards = this->Rise(piece, corner);
     const bool isRim = end.First < end.Last && std::abs(outwards) <= upwards;
-    LoopEnd& known = this->Ends[place.Loop];
+    LoopEnd& known = this->Ends[2 * place.Loop + (piece.Slab > PlaneOf(piece) ? 1 : 0)];
     known.Kind = CombineEnds(
       known.Kind, end.IsFlat ? EndKind::Flat : (isRim ? EndKind::Rim : EndKind::Dome));
     known.Anchors.push_back({ place.Along, outwards, upwards });
@@ -173,7 +184,7 @@ std::vector<LoopEnd> LoopEndFinder::Run()
   {
     for (const GuidePiece& piece : slice.Pieces)
     {
-      if (this->Guides.IsBeyond(piece))
+      if (PlaneOf(piece) >= 0)
       {
         this->Note(piece);
       }
@@ -199,7 +210,7 @@ void AppendCut(
     {
       parts.push_back({ { begin + static_cast<std::ptrdiff_t>(from),
                           begin + static_cast<std::ptrdiff_t>(to) + 1 },
-        piece.Slab });
+        piece.Slab, {} });
       from = to;
     }
   }
@@ -229,19 +240,24 @@ std::vector<LoopEnd> FindLoopEnds(const NodeGraph& graph, const GuideCurves& gui
 void CutAtRims(const NodeGraph& graph, const std::vector<LoopEnd>& ends, GuideCurves& guides)
 {
   const LoopEndFinder finder(graph, guides);
-  const auto hasRim = [&](const LoopPlace& place)
-  { return place.Loop >= 0 && ends[place.Loop].Kind == EndKind::Rim; };
   for (GuideSlice& slice : guides.Slices)
   {
     std::vector<GuidePiece> parts;
     for (const GuidePiece& piece : slice.Pieces)
     {
       std::vector<std::size_t> at;
-      if (guides.IsBeyond(piece))
+      if (PlaneOf(piece) >= 0)
       {
         const PieceEnd end = finder.Look(piece);
-        hasRim(end.AtStart) ? at.push_back(end.First) : static_cast<void>(0);
-        hasRim(end.AtEnd) ? at.push_back(end.Last) : static_cast<void>(0);
+        const Index side = piece.Slab > PlaneOf(piece) ? 1 : 0;
+        for (const auto& [place, corner] :
+          { std::pair(end.AtStart, end.First), std::pair(end.AtEnd, end.Last) })
+        {
+          if (place.Loop >= 0 && ends[2 * place.Loop + side].Kind == EndKind::Rim)
+          {
+            at.push_back(corner);
+          }
+        }
       }
       at.push_back(piece.Points.size() - 1);
       AppendCut(piece, at, parts);

@@ -11,7 +11,7 @@
 
 namespace orthoslices
 {
-/// How the object ends beyond the first or the last slice of a stack.
+/// How a stack ends on one side of a slice.
 enum class EndKind : std::uint8_t
 {
   Unknown, ///< no guide shows it
@@ -28,7 +28,7 @@ struct RimAnchor
   double Upwards = 0.0;  ///< from the slice to the rim, away from the other slices
 };
 
-/// What guides show of the end beyond one loop of the outermost slices.
+/// What guides show of the end on one side of a loop, if there is one.
 struct LoopEnd
 {
   EndKind Kind = EndKind::Unknown;
@@ -36,11 +36,11 @@ struct LoopEnd
 };
 
 /**
- * For each loop of a stack, in which way the object ends beyond it, by the guides that begin or end
- * on it, or nearest to it, beyond the first or the last slice. It ends flat where none of these goes
- * farther than FlatShare of the spacing. It has a rim where each of them rises by a wall, at most as
- * far sideways as upwards, to a level that it keeps, but for FlatShare of the spacing, over most of its
- * way.
+ * For each loop of a stack, on the side below it (2 loop) and above (2 loop + 1), in which way the
+ * object ends there, if it ends there at all: by the guides that begin or end on the loop, or nearest
+ * to it, and do not go on to another slice. It ends flat where none of these goes farther than
+ * FlatShare of the spacing. It has a rim where each of them rises by a wall, at most as far sideways
+ * as upwards, to a level that it keeps, but for FlatShare of the spacing, over most of its way.
  */
 std::vector<LoopEnd> FindLoopEnds(const NodeGraph& graph, const GuideCurves& guides);
 

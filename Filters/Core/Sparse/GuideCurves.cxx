@@ -13,8 +13,9 @@ namespace
 struct Station
 {
   Point3 Place;
-  bool IsCut; ///< lies on a plane that cuts the contour
-  Index Slab; ///< behind it
+  bool IsCut;  ///< lies on a plane that cuts the contour
+  Index Plane; ///< that of the stack; -1 if it is another
+  Index Slab;  ///< behind it
 };
 
 /// Cuts one contour after another by the planes of a stack and by others.
@@ -63,14 +64,14 @@ void ContourCutter::CutSide(const Point3& from, const Point3& to)
 {
   const int axis = this->Curves.StackAxis;
   const Index slab = this->SlabOf(from), end = this->SlabOf(to);
-  this->Stations.push_back({ from, false, slab });
-  std::vector<std::pair<double, Index>> cuts; // share of the side, and the slab behind it or -1
+  this->Stations.push_back({ from, false, -1, slab });
+  std::vector<std::pair<double, Index>> cuts; // share of the side, and the plane of the stack or -1
   const double rise = to[axis] - from[axis];
   for (Index i = slab; i != end; i += slab < end ? 1 : -1)
   {
     const Index plane = slab < end ? i : i - 1;
     const double share = (this->Curves.StackPlanes[plane] - from[axis]) / rise;
-    cuts.emplace_back(std::clamp(share, 0.0, 1.0), slab < end ? i + 1 : i - 1);
+    cuts.emplace_back(std::clamp(share, 0.0, 1.0), plane);
   }
   for (const GuideSlice& slice : this->Curves.Slices)
   {
@@ -82,10 +83,11 @@ void ContourCutter::CutSide(const Point3& from, const Point3& to)
   }
   std::stable_sort(cuts.begin(), cuts.end(),
     [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [share, behind] : cuts)
+  for (const auto& [share, plane] : cuts)
   {
     const Index before = this->Stations.back().Slab;
-    this->Stations.push_back({ Between(from, to, share), true, behind < 0 ? before : behind });
+    const Index behind = plane < 0 ? before : (slab < end ? plane + 1 : plane);
+    this->Stations.push_back({ Between(from, to, share), true, plane, behind });
   }
 }
 
@@ -113,11 +115,12 @@ void ContourCutter::Run(const std::vector<Point3>& contour, std::vector<GuidePie
     }
     if (at.IsCut)
     {
+      piece.Planes[1] = at.Plane;
       if (piece.Points.size() > 1)
       {
         pieces.push_back(std::move(piece));
       }
-      piece = { { at.Place }, at.Slab };
+      piece = { { at.Place }, at.Slab, { at.Plane, -1 } };
     }
   }
 }
@@ -129,19 +132,6 @@ double GuideCurves::Spacing() const
   return count > 1
     ? (this->StackPlanes.back() - this->StackPlanes.front()) / static_cast<double>(count - 1)
     : 1.0;
-}
-
-double GuideCurves::HeightBeyond(const GuidePiece& piece) const
-{
-  double height = 0.0;
-  for (const Point3& point : piece.Points)
-  {
-    const double at = point[this->StackAxis];
-    const double rise =
-      piece.Slab == 0 ? this->StackPlanes.front() - at : at - this->StackPlanes.back();
-    height = std::max(height, this->IsBeyond(piece) ? rise : 0.0);
-  }
-  return height;
 }
 
 GuideCurves CutGuides(const Contours& contours, const SpatialGrid& grid, int stackAxis)

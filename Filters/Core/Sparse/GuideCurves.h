@@ -25,6 +25,7 @@ struct GuidePiece
 {
   std::vector<Point3> Points; ///< in the direction of the contour; the ends lie on those planes
   Index Slab = 0;             ///< number of planes of the stack below it
+  std::array<Index, 2> Planes{ -1, -1 }; ///< of the stack, where it begins and ends; -1: another's
 };
 
 /// The contours of one slice across a stack.
@@ -42,13 +43,6 @@ struct GuideCurves
   std::vector<double> StackPlanes; ///< ascending
   std::vector<GuideSlice> Slices;
 
-  /// Whether a piece lies beyond the first or the last slice of the stack.
-  bool IsBeyond(const GuidePiece& piece) const
-  {
-    return piece.Slab == 0 || piece.Slab == static_cast<Index>(this->StackPlanes.size());
-  }
-  /// How far a piece goes beyond the last slice of the stack, in world units; 0 between its slices.
-  double HeightBeyond(const GuidePiece& piece) const;
   /// The mean distance of the planes of the stack; 1 if there are fewer than two.
   double Spacing() const;
 };

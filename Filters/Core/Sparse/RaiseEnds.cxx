@@ -27,8 +27,10 @@ public:
 private:
   void NumberLoops();
   std::vector<Index> ListLoops(Index patch) const;
-  bool IsLow(Index patch) const { return this->Geometry.Cycles.Cell[patch][this->Axis] == 0; }
-  void CombineAnchors(const std::vector<Index>& loops);
+  Index SideOf(Index patch, Index loop) const;
+  EndKind CombineKinds(Index patch, const std::vector<Index>& loops);
+  LoopEnd& EndOf(Index patch, Index loop) { return this->Ends[2 * loop + this->SideOf(patch, loop)]; }
+  void CombineAnchors(Index patch, const std::vector<Index>& loops);
   void Raise(Index patch, const std::vector<Index>& loops);
   void AddWall(Index patch, Index loop, Index rim);
   void MoveInner(Index patch, double level);
@@ -39,7 +41,7 @@ private:
   DraftMesh& Draft;
   const int Axis;
   std::vector<Index> LoopOf; ///< of each point of G
-  std::vector<LoopEnd> Ends;
+  std::vector<LoopEnd> Ends; ///< of each loop, below and above
 };
 
 void EndRaiser::NumberLoops()
@@ -73,14 +75,40 @@ std::vector<Index> EndRaiser::ListLoops(Index patch) const
   return loops;
 }
 
+/// 1 if the patch is above the slice of its loop, else 0.
+Index EndRaiser::SideOf(Index patch, Index loop) const
+{
+  return this->Geometry.Cycles.Cell[patch][this->Axis] > this->Graph.Loops[loop].Plane ? 1 : 0;
+}
+
+/// How the object ends with a patch; Unknown if it has loops on two slices.
+EndKind EndRaiser::CombineKinds(Index patch, const std::vector<Index>& loops)
+{
+  EndKind kind = EndKind::Unknown;
+  for (const Index loop : loops)
+  {
+    kind = CombineEnds(kind, this->EndOf(patch, loop).Kind);
+  }
+  for (const Index loop : loops)
+  {
+    const bool isEnd = this->Graph.Loops[loop].Plane == this->Graph.Loops[loops.front()].Plane;
+    kind = isEnd ? kind : EndKind::Unknown;
+  }
+  for (const Index loop : loops)
+  {
+    this->EndOf(patch, loop).Kind = kind;
+  }
+  return kind;
+}
+
 /// Loops of a patch that no guide meets have a rim as far away as the others in the mean.
-void EndRaiser::CombineAnchors(const std::vector<Index>& loops)
+void EndRaiser::CombineAnchors(Index patch, const std::vector<Index>& loops)
 {
   RimAnchor mean;
   double count = 0.0;
   for (const Index loop : loops)
   {
-    for (const RimAnchor& anchor : this->Ends[loop].Anchors)
+    for (const RimAnchor& anchor : this->EndOf(patch, loop).Anchors)
     {
       mean.Outwards += anchor.Outwards;
       mean.Upwards += anchor.Upwards;
@@ -91,9 +119,9 @@ void EndRaiser::CombineAnchors(const std::vector<Index>& loops)
   mean.Upwards /= count;
   for (const Index loop : loops)
   {
-    if (this->Ends[loop].Anchors.empty())
+    if (this->EndOf(patch, loop).Anchors.empty())
     {
-      this->Ends[loop].Anchors.push_back(mean);
+      this->EndOf(patch, loop).Anchors.push_back(mean);
     }
   }
 }
@@ -122,7 +150,7 @@ void EndRaiser::AddWall(Index patch, Index loop, Index rim)
   {
     const Index j = (i + 1) % count;
     std::array<Index, 3> one{ first + i, first + j, rim + j }, other{ first + i, rim + j, rim + i };
-    if (this->IsLow(patch)) // seen from outside, the loop runs the other way
+    if (this->SideOf(patch, loop) == 0) // seen from outside, the loop runs the other way
     {
       std::swap(one[1], one[2]);
       std::swap(other[1], other[2]);
@@ -135,7 +163,7 @@ void EndRaiser::AddWall(Index patch, Index loop, Index rim)
 
 void EndRaiser::Raise(Index patch, const std::vector<Index>& loops)
 {
-  this->CombineAnchors(loops);
+  this->CombineAnchors(patch, loops);
   const Index base = static_cast<Index>(this->Draft.Points.size());
   std::vector<Index> rims;
   double level = 0.0;
@@ -143,7 +171,7 @@ void EndRaiser::Raise(Index patch, const std::vector<Index>& loops)
   {
     rims.push_back(static_cast<Index>(this->Draft.Points.size()));
     const std::vector<Point3> rim = PlaceRim(
-      this->Graph, loop, this->IsLow(patch) ? -1.0 : 1.0, this->Ends[loop].Anchors);
+      this->Graph, loop, this->SideOf(patch, loop) == 0 ? -1.0 : 1.0, this->EndOf(patch, loop).Anchors);
     this->Draft.Points.insert(this->Draft.Points.end(), rim.begin(), rim.end());
     this->AddWall(patch, loop, rims.back());
     for (const Point3& point : rim)
@@ -174,21 +202,8 @@ StackEnds EndRaiser::Run(GuideCurves& guides)
   StackEnds result{ std::vector<EndKind>(patches, EndKind::Unknown), {} };
   for (Index patch = 0; patch < patches; ++patch)
   {
-    const Index slab = this->Geometry.Cycles.Cell[patch][this->Axis];
-    if (slab != 0 && slab != this->Geometry.Grid.Count(this->Axis))
-    {
-      continue;
-    }
     const std::vector<Index> loops = this->ListLoops(patch);
-    EndKind kind = EndKind::Unknown;
-    for (const Index loop : loops)
-    {
-      kind = CombineEnds(kind, this->Ends[loop].Kind);
-    }
-    for (const Index loop : loops)
-    {
-      this->Ends[loop].Kind = kind;
-    }
+    const EndKind kind = this->CombineKinds(patch, loops);
     result.OfPatch[patch] = kind;
     if (kind == EndKind::Rim)
     {
@@ -201,9 +216,9 @@ StackEnds EndRaiser::Run(GuideCurves& guides)
     }
   }
   CutAtRims(this->Graph, this->Ends, guides);
-  for (const LoopEnd& end : this->Ends)
+  for (std::size_t i = 0; i < this->Ends.size(); i += 2)
   {
-    result.OfLoop.push_back(end.Kind);
+    result.HasRim.push_back(this->Ends[i].Kind == EndKind::Rim || this->Ends[i + 1].Kind == EndKind::Rim);
   }
   return result;
 }

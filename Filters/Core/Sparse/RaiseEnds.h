@@ -18,16 +18,16 @@ struct DraftMesh
   std::vector<Index> Patch; ///< of each triangle
 };
 
-/// How a stack ends beyond its loops, and in its patches.
+/// How a stack ends with its patches and beside its loops.
 struct StackEnds
 {
-  std::vector<EndKind> OfPatch; ///< Unknown for those between slices
-  std::vector<EndKind> OfLoop;
+  std::vector<EndKind> OfPatch; ///< Unknown, too, for those that go on to another slice
+  std::vector<std::uint8_t> HasRim; ///< of each loop
 };
 
 /**
- * Gives the patches beyond the first and the last slice of a stack the ends that guides show: those
- * that end flat are moved into the slice, and those with a rim are moved out to it, with a wall of
+ * Gives the patches of a stack that end on one side of a slice the shape that guides show: those that
+ * end flat are moved into the slice, and those with a rim are moved out to it, with a wall of
  * triangles between the slice and the rim. The wall has a patch of its own: the number of patches is
  * added to that of the patch within the rim. Points on rims are appended. Guides are cut at rims.
  */

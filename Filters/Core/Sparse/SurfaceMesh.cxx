@@ -92,7 +92,7 @@ void FindStretch(const CycleGeometry& geometry, const StackEnds& ends, SurfaceMe
   for (Index loop = 0; loop < static_cast<Index>(graph.Loops.size()); ++loop)
   {
     const Index first = graph.FirstPoint(graph.Arcs + loop);
-    const bool isAtEdge = mesh.Crease[first] != 0 || ends.OfLoop[loop] == EndKind::Rim;
+    const bool isAtEdge = mesh.Crease[first] != 0 || ends.HasRim[loop] != 0;
     const double spacings = isAtEdge ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
     const double needed = spacings * geometry.Grid.MeanSpacing(mesh.StretchAxis);
     const double stretch = std::clamp(needed / ThicknessOfLoop(graph, loop), 1.0, MaxStretch);
