@@ -29,7 +29,7 @@ struct LoopPlace
 /// What a piece shows that does not go on to another slice.
 struct PieceEnd
 {
-  bool IsFlat = false;
+  double Height = 0.0; ///< its greatest distance from the slice
   std::size_t First = 0, Last = 0; ///< points on the level that it keeps; the same if it keeps none
   LoopPlace AtStart, AtEnd;        ///< of no loop where it begins or ends at another guide
 };
@@ -51,7 +51,7 @@ public:
 private:
   LoopPlace FindPlace(Index plane, const Point3& point) const;
   double Rise(const GuidePiece& piece, const Point3& point) const;
-  void FindLevel(const GuidePiece& piece, double height, PieceEnd& end) const;
+  void FindLevel(const GuidePiece& piece, PieceEnd& end) const;
   void Note(const GuidePiece& piece);
 
   const NodeGraph& Graph;
@@ -118,14 +118,14 @@ double LoopEndFinder::Rise(const GuidePiece& piece, const Point3& point) const
 
 /// Finds the first and the last point of a piece on the level of its greatest height, if most of it
 /// is there.
-void LoopEndFinder::FindLevel(const GuidePiece& piece, double height, PieceEnd& end) const
+void LoopEndFinder::FindLevel(const GuidePiece& piece, PieceEnd& end) const
 {
   const auto& points = piece.Points;
   std::size_t first = points.size(), last = 0;
   double all = 0.0, level = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const bool isLevel = this->Rise(piece, points[i]) >= height - this->Flat;
+    const bool isLevel = this->Rise(piece, points[i]) >= end.Height - this->Flat;
     Point3 way = i > 0 ? points[i] - points[i - 1] : Point3{};
     way[this->Guides.StackAxis] = 0.0;
     all += Length(way);
@@ -143,13 +143,11 @@ void LoopEndFinder::FindLevel(const GuidePiece& piece, double height, PieceEnd& 
 PieceEnd LoopEndFinder::Look(const GuidePiece& piece) const
 {
   PieceEnd end;
-  double height = 0.0;
   for (const Point3& point : piece.Points)
   {
-    height = std::max(height, this->Rise(piece, point));
+    end.Height = std::max(end.Height, this->Rise(piece, point));
   }
-  end.IsFlat = height < this->Flat;
-  this->FindLevel(piece, height, end);
+  this->FindLevel(piece, end);
   end.AtStart = this->FindPlace(piece.Planes[0], piece.Points.front());
   end.AtEnd = this->FindPlace(piece.Planes[1], piece.Points.back());
   return end;
@@ -172,8 +170,9 @@ void LoopEndFinder::Note(const GuidePiece& piece)
     const double upwards = this->Rise(piece, corner);
     const bool isRim = end.First < end.Last && std::abs(outwards) <= upwards;
     LoopEnd& known = this->Ends[2 * place.Loop + (piece.Slab > PlaneOf(piece) ? 1 : 0)];
-    known.Kind = CombineEnds(
-      known.Kind, end.IsFlat ? EndKind::Flat : (isRim ? EndKind::Rim : EndKind::Dome));
+    known.Kind = CombineEnds(known.Kind,
+      end.Height < this->Flat ? EndKind::Flat : (isRim ? EndKind::Rim : EndKind::Dome));
+    known.Height = std::max(known.Height, end.Height);
     known.Anchors.push_back({ place.Along, outwards, upwards });
   }
 }
@@ -301,8 +300,9 @@ std::vector<Point3> PlaceRim(
   return rim;
 }
 
-void AddPoints(const GuideCurves& guides, Box3& box)
+Box3 BoxOf(const GuideCurves& guides)
 {
+  Box3 box;
   for (const GuideSlice& slice : guides.Slices)
   {
     for (const GuidePiece& piece : slice.Pieces)
@@ -313,5 +313,6 @@ void AddPoints(const GuideCurves& guides, Box3& box)
       }
     }
   }
+  return box;
 }
 }

@@ -32,6 +32,7 @@ struct RimAnchor
 struct LoopEnd
 {
   EndKind Kind = EndKind::Unknown;
+  double Height = 0.0;            ///< how far the object goes beyond the slice
   std::vector<RimAnchor> Anchors; ///< by their place
 };
 
@@ -55,8 +56,8 @@ EndKind CombineEnds(EndKind one, EndKind other);
 std::vector<Point3> PlaceRim(
   const NodeGraph& graph, Index loop, double up, const std::vector<RimAnchor>& anchors);
 
-/// Extends a box to all guides.
-void AddPoints(const GuideCurves& guides, Box3& box);
+/// The box around all guides.
+Box3 BoxOf(const GuideCurves& guides);
 }
 
 #endif

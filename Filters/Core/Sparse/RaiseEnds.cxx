@@ -5,6 +5,7 @@
 #include "Core/Graph/CycleGeometry.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace orthoslices
 {
@@ -34,6 +35,13 @@ private:
   void Raise(Index patch, const std::vector<Index>& loops);
   void AddWall(Index patch, Index loop, Index rim);
   void MoveInner(Index patch, double level);
+  double LevelOf(Index loop) const
+  {
+    return this->Graph.PointAt(this->Graph.FirstPoint(this->Graph.Arcs + loop))[this->Axis];
+  }
+  bool IsFlat(Index patch) const;
+  std::array<double, 2> FindMeanHeights() const;
+  void AssumeRim(Index patch, const std::vector<Index>& loops, double height);
 
   const CycleGeometry& Geometry;
   const NodeGraph& Graph;
@@ -194,15 +202,76 @@ void EndRaiser::Raise(Index patch, const std::vector<Index>& loops)
   }
 }
 
+/// Whether a patch lies in the slice at the end of which it is, as far as the stack alone tells.
+bool EndRaiser::IsFlat(Index patch) const
+{
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::int64_t t = this->TrianglesOf[patch]; t < this->TrianglesOf[patch + 1]; ++t)
+  {
+    for (const Index point : this->Draft.Triangles[t])
+    {
+      low = std::min(low, this->Draft.Points[point][this->Axis]);
+      high = std::max(high, this->Draft.Points[point][this->Axis]);
+    }
+  }
+  return high - low < FlatShare * this->Geometry.Grid.MeanSpacing(this->Axis);
+}
+
+/// How far the object goes beyond the first slice (side 0) and the last one (side 1): the mean of what
+/// guides show there, or else of what they show on the other side; 0 if they show nothing.
+std::array<double, 2> EndRaiser::FindMeanHeights() const
+{
+  std::array<double, 2> sum{}, count{};
+  for (Index loop = 0; loop < static_cast<Index>(this->Graph.Loops.size()); ++loop)
+  {
+    for (const Index side : { 0, 1 })
+    {
+      const Index last = side == 0 ? 0 : this->Geometry.Grid.Count(this->Axis) - 1;
+      const LoopEnd& end = this->Ends[2 * loop + side];
+      if (this->Graph.Loops[loop].Plane == last && end.Kind != EndKind::Unknown)
+      {
+        sum[side] += end.Height;
+        count[side] += 1.0;
+      }
+    }
+  }
+  std::array<double, 2> mean{};
+  for (const Index side : { 0, 1 })
+  {
+    const Index from = count[side] > 0.0 ? side : 1 - side;
+    mean[side] = count[from] > 0.0 ? sum[from] / count[from] : 0.0;
+  }
+  return mean;
+}
+
+/// Flat ends that no guide meets lie as far beyond their slice as others do.
+void EndRaiser::AssumeRim(Index patch, const std::vector<Index>& loops, double height)
+{
+  const double spacing = this->Geometry.Grid.MeanSpacing(this->Axis);
+  const double upwards = std::min(height, 0.5 * spacing);
+  for (const Index loop : loops)
+  {
+    LoopEnd& end = this->EndOf(patch, loop);
+    end.Kind = upwards < FlatShare * spacing ? EndKind::Flat : EndKind::Rim;
+    end.Anchors.push_back({ 0.0, 0.0, upwards });
+  }
+}
+
 StackEnds EndRaiser::Run(GuideCurves& guides)
 {
   this->NumberLoops();
   this->Ends = FindLoopEnds(this->Graph, guides);
+  const std::array<double, 2> heights = this->FindMeanHeights();
   const Index patches = this->Geometry.Cycles.Count();
   StackEnds result{ std::vector<EndKind>(patches, EndKind::Unknown), {} };
   for (Index patch = 0; patch < patches; ++patch)
   {
     const std::vector<Index> loops = this->ListLoops(patch);
+    if (!loops.empty() && this->CombineKinds(patch, loops) == EndKind::Unknown &&
+      this->IsFlat(patch))
+    {
+      this->AssumeRim(patch, loops, heights[this->SideOf(patch, loops.front())]);
+    }
     const EndKind kind = this->CombineKinds(patch, loops);
     result.OfPatch[patch] = kind;
     if (kind == EndKind::Rim)
@@ -211,14 +280,14 @@ StackEnds EndRaiser::Run(GuideCurves& guides)
     }
     else if (kind == EndKind::Flat)
     {
-      this->MoveInner(patch, this->Graph.PointAt(this->Graph.FirstPoint(
-                               this->Graph.Arcs + loops.front()))[this->Axis]);
+      this->MoveInner(patch, this->LevelOf(loops.front()));
     }
   }
   CutAtRims(this->Graph, this->Ends, guides);
   for (std::size_t i = 0; i < this->Ends.size(); i += 2)
   {
-    result.HasRim.push_back(this->Ends[i].Kind == EndKind::Rim || this->Ends[i + 1].Kind == EndKind::Rim);
+    result.HasRim.push_back(
+      this->Ends[i].Kind == EndKind::Rim || this->Ends[i + 1].Kind == EndKind::Rim);
   }
   return result;
 }

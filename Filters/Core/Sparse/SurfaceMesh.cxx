@@ -41,8 +41,9 @@ std::vector<std::array<Index, 3>> ListTriangles(
   return triangles;
 }
 
-/// Where points of a cell may go.
-Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const std::array<Index, 3>& cell)
+/// Where points of a cell may go: as far as guides show, or half a spacing beyond the contours.
+Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const Box3& guides,
+  const std::array<Index, 3>& cell)
 {
   Box3 box;
   for (int axis = 0; axis < 3; ++axis)
@@ -50,9 +51,13 @@ Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const std::array<I
     const double beyond = 0.5 * grid.MeanSpacing(axis);
     const Index slab = cell[axis];
     const double margin = grid.Margin(axis, slab);
-    box.Low[axis] = slab > 0 ? grid.Planes[axis][slab - 1] + margin : contours.Low[axis] - beyond;
+    box.Low[axis] = slab > 0
+      ? grid.Planes[axis][slab - 1] + margin
+      : std::min(contours.Low[axis] - beyond, guides.Low[axis]);
     box.High[axis] =
-      slab < grid.Count(axis) ? grid.Planes[axis][slab] - margin : contours.High[axis] + beyond;
+slab < grid.Count(axis)
+      ? grid.Planes[axis][slab] - margin
+      : std::max(contours.High[axis] + beyond, guides.High[axis]);
   }
   return box;
 }
@@ -197,11 +202,11 @@ SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patche
   {
     contours.Add(draft.Points[point]);
   }
-  AddPoints(guides, contours);
+  const Box3 guided = BoxOf(guides);
   std::vector<Box3> cells;
   for (Index cycle = 0; cycle < cycles; ++cycle)
   {
-    cells.push_back(BoundCell(geometry.Grid, contours, geometry.Cycles.Cell[cycle]));
+    cells.push_back(BoundCell(geometry.Grid, contours, guided, geometry.Cycles.Cell[cycle]));
     std::fill(draft.Patch.begin() + patches.Offsets[cycle],
       draft.Patch.begin() + patches.Offsets[cycle + 1], cycle);
   }
