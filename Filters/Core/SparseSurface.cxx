@@ -76,7 +76,7 @@ bool SparseRunner::BendStack()
   {
     return this->Stop();
   }
-  return this->Bend(stack.Result, CutGuides(this->Drawn, this->First.Grid, axis));
+  return this->Bend(stack.Result, CutGuides(this->Drawn, this->First.Result.Grid, axis));
 }
 
 /// What a second surface has to come out as. Components that were too small are drawn nevertheless,

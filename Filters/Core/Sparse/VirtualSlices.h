@@ -24,10 +24,10 @@ struct FairSource
  * What slices on the planes between the real ones would show, if the object had the topology of the
  * surface that was reconstructed, its contours, and between them the shape that bends least:
  *
- *   MakeSurfaceMesh    the surface, with its contours as curves on it
+ *   MakeSurfaceMesh    the surface, with its contours as curves on it, and the ends that guides show
  *   RemeshSurface      with triangles of about the same size
  *   FairSurface        bent as little as the contours and cells allow
- *   GuideSurface       through the guides; then the two before once more
+ *   GuideSurface       through the guides; then the two before, twice more
  *   SubdivideSurface   four curved triangles for each, within the bounds of the grid
  *   SliceSurface       cut on the planes of ChooseVirtualPlanes
  *
@@ -38,7 +38,8 @@ struct FairSource
  * if not, there are none. REQUIRES: density.IsSparse().
  *
  * Deterministic. The mesh has as many edges as EdgeLength asks for, besides what contours need to
- * keep their course; two sparse systems of equations of its size are solved, three times at most each.
+ * keep their course; two sparse systems of equations of its size are solved, five with guides, three
+ * times at most each.
  */
 Contours MakeVirtualSlices(
   const FairSource& source, const SliceDensity& density, const Execution& execution);
