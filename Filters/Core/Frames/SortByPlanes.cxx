@@ -285,22 +285,6 @@ SortedSlices SortByPlanes(const Polylines& lines, const FrameOptions& options)
   return sorted;
 }
 
-void RoundToFloat(std::array<Pieces, 3>& slices)
-{
-  for (Pieces& pieces : slices)
-  {
-    for (std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
-    {
-      for (double& value : *values)
-      {
-        // Volatile, because GCC 12 at -O3 vectorizes the conversion to float and back away.
-        volatile float rounded = static_cast<float>(value);
-        value = rounded;
-      }
-    }
-  }
-}
-
 bool MakeGivenFrame(const std::array<Point3, 3>& normals, AxisFrame& frame)
 {
   std::array<Point3, 3> axes{ Unit(normals[0]), Unit(normals[1]), Unit(normals[2]) };
