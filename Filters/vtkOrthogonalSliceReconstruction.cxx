@@ -227,10 +227,6 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   orthoslices::SortedSlices sorted = this->SortInputs(inputs);
   const bool doublePrecision = this->NeedsDoublePrecision(inputs, sorted);
   options.SinglePrecision = !doublePrecision;
-  if (!doublePrecision && !sorted.Frame.IsWorld())
-  {
-    orthoslices::RoundToFloat(sorted.Slices);
-  }
   const orthoslices::Polylines others = std::move(sorted.Others);
   orthoslices::Reconstruction result =
     orthoslices::ReconstructSorted(std::move(sorted), options, orthoslices::ExecuteWithVtk(this));

@@ -597,7 +597,7 @@ public:
   /**
    * Precision of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or
    * DEFAULT_PRECISION (default): double if any input has double points, or if the slices do not lie
-   * across the axes of the world.
+   * across the axes of the world; single precision may make slivers of triangles touch in that case.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);

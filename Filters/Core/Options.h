@@ -46,6 +46,7 @@ struct Options
   BorderContours AtBorder = BorderContours::CloseAlong; ///< with InvalidContours::Mend
   CrossingContours Crossing = CrossingContours::Repair;
   bool SinglePrecision = false; ///< the result will be stored as float
+  double Quantum = 0.0;         ///< see SpatialGrid; 0: coordinates are not rounded on its account
   bool InsertMissing = true;    ///< contours that slices lack; see FindMissingContours
   AxisWeights Weights{ 1.0, 1.0, 1.0 };
   CentralPointMethod Central = CentralPointMethod::LeastSquares;
