@@ -32,9 +32,14 @@ class Rtstruct(FormatTest):
                 (13, "Isocenter", (0, 0, 255), mark), (14, "Empty", None, [])]
 
     def check_read(self, access):
-        path = self.path("plan.dcm")
-        files.write_rtstruct(path, self.structures())
-        heart, tumor = Dicom.read_rtstruct(path, access)
+        for implicit in (False, True):
+            with self.subTest(implicit=implicit):
+                path = self.path("plan.dcm")
+                files.write_rtstruct(path, self.structures(), implicit=implicit)
+                heart, tumor = Dicom.read_rtstruct(path, access)
+                self.check_structures(heart, tumor)
+
+    def check_structures(self, heart, tumor):
         self.assertEqual((heart.name, heart.label, heart.color), ("Heart", 7, (255, 0, 10)))
         self.assertEqual((tumor.name, tumor.label, tumor.color), ("Tumor bed 1", 12, None))
         self.check_loops(heart, files.ball_stack(center=(5, -3, 40)), 0.005 + 1e-9)
