@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOrthogonalSliceReconstruction.h"
 
+#include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
 #include "Bridge/ReadPieces.h"
@@ -111,7 +112,7 @@ constexpr double ProgressBeforeSurface = 0.9;
 vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
 {
   this->SetNumberOfInputPorts(3);
-  this->SetNumberOfOutputPorts(6);
+  this->SetNumberOfOutputPorts(7);
 }
 
 int vtkOrthogonalSliceReconstruction::FillInputPortInformation(int, vtkInformation* info)
@@ -160,6 +161,11 @@ vtkTable* vtkOrthogonalSliceReconstruction::GetSliceTable()
 vtkTable* vtkOrthogonalSliceReconstruction::GetUndecidedTable()
 {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(5));
+}
+
+vtkTable* vtkOrthogonalSliceReconstruction::GetProblemTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(6));
 }
 
 int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
@@ -376,6 +382,7 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   orthoslices::WriteContourTable(result, vtkTable::GetData(outputs, 3));
   orthoslices::WriteSliceTable(result, vtkTable::GetData(outputs, 4));
   orthoslices::WriteUndecidedTable(result, vtkTable::GetData(outputs, 5));
+  orthoslices::WriteProblemTable(result, vtkTable::GetData(outputs, 6));
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
   orthoslices::WriteGraph(result, doublePrecision, vtkPolyData::GetData(outputs, 1));
   this->UpdateProgress(ProgressBeforeSurface);

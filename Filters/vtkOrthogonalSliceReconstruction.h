@@ -124,6 +124,17 @@
  * for the slice that settles most: a place counts the more, the less certain it is (see
  * UncertaintyOf() in Core/Cells/UndecidedPlaces.h). The rows ascend by that rank.
  *
+ * Port 6, the input problems (vtkTable), one row for each contour that was mended, left out or
+ * crosses another: "Port" (int), "Cell" (vtkIdType; of a contour made of several cells, one of
+ * them), "SliceAxis" (int), "Kind" (int) and "KindName" (string): 0 NotFinite, 1 OffPlane, 2 Open, 3
+ * CrossesItself, 4 CrossesOther, 5 TooShort (one or two points that join nothing), 6 Flat (no area),
+ * 7 MovedOntoPlane, 8 GapClosed, 9 OverrunTrimmed (it ran past its start), 10 ClosedAlongBorder (of
+ * the image), 11 LeftOpen (there), 12 LoopsUnited (they overlap), 13 BridgeRemoved (between outline
+ * and hole, drawn there and back), 14 LoopSplit (it touches or crosses itself), 15 DrawnTwice;
+ * "LeftOut" (unsigned char): 1 if the contour takes no part in the surface; "X", "Y", "Z" (double):
+ * where; "Size" (double, world units): distance from the plane, length of the gap, of what was
+ * trimmed, added or left out, distance of the two contours, or 0.
+ *
  * In a parallel run the first process reconstructs the whole surface from the whole input; the
  * outputs of the others are empty.
  *
@@ -508,13 +519,14 @@ public:
   ///@{
   /**
    * The graph G (port 1), the histogram of polygon sizes (port 2), and the tables of contours
-   * (port 3), slices (port 4) and undecided places (port 5).
+   * (port 3), slices (port 4), undecided places (port 5) and input problems (port 6).
    */
   vtkPolyData* GetGraphOutput();
   vtkTable* GetHistogramOutput();
   vtkTable* GetContourTable();
   vtkTable* GetSliceTable();
   vtkTable* GetUndecidedTable();
+  vtkTable* GetProblemTable();
   ///@}
 
 protected:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/DescribeReport.h"
 
+#include "Bridge/DescribeProblems.h"
 #include "Bridge/WriteGraph.h"
 #include "Bridge/WriteTables.h"
 #include "Core/Cells/DoubtfulJoins.h"
@@ -13,10 +14,12 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -82,6 +85,64 @@ TEST(DescribeProblems, NamesPortCellAndPlaceOfTheFirstTen)
     EXPECT_TRUE(Contains(many, "\n  and 2 more"));
     EXPECT_FALSE(Contains(DescribeProblems(std::vector<Problem>(10, problem)), "more"));
   }
+}
+
+//----------------------------------------------------------------------------
+TEST(DescribeMended, CountsEveryKindAndNamesTheFirst)
+{
+  EXPECT_EQ(DescribeMended({}), "");
+  const std::vector<Problem> problems{
+    { ProblemKind::GapClosed, 2, 4, Point3{ 1.0, 2.0, 3.0 }, 0.5 },
+    { ProblemKind::TooShort, 0, 7, Point3{ 1.0, 0.0, 0.0 }, 0.25, true },
+    { ProblemKind::GapClosed, 2, 9, Point3{ 1.0, 2.0, 5.0 }, 0.75 },
+  };
+  EXPECT_EQ(DescribeMended(problems),
+    "\n  1 contour of one or two points that join nothing: left out, of a length of up to 0.25; "
+    "port 0 "
+    "(x-slices), cell 7, at (1, 0, 0)"
+    "\n  2 contours with a gap: closed, the longest gap 0.75; the first: port 2 (z-slices), cell "
+    "4, at "
+    "(1, 2, 3)");
+}
+
+//----------------------------------------------------------------------------
+TEST(DescribeMended, HasANameAndWordsOfItsOwnForEveryKind)
+{
+  std::set<std::string> names, lines;
+  for (int kind = 0; kind < ProblemKindCount; ++kind)
+  {
+    const Problem problem{ static_cast<ProblemKind>(kind), 1, 3, Point3{ 0.0, 1.0, 2.0 } };
+    names.insert(NameOf(problem.Kind));
+    lines.insert(DescribeMended({ problem }));
+    EXPECT_TRUE(Contains(*lines.rbegin(), "port 1 (y-slices), cell 3, at (0, 1, 2)"));
+  }
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(ProblemKindCount));
+  EXPECT_EQ(lines.size(), static_cast<std::size_t>(ProblemKindCount));
+  EXPECT_STREQ(NameOf(ProblemKind::NotFinite), "NotFinite");
+  EXPECT_STREQ(NameOf(ProblemKind::LeftOpen), "LeftOpen");
+  EXPECT_STREQ(NameOf(ProblemKind::DrawnTwice), "DrawnTwice");
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, TellsWhatWasMendedAndListsIt)
+{
+  this->Result.Mended.push_back(
+    { ProblemKind::DrawnTwice, 0, 7, Point3{ 1.0, 0.5, 0.0 }, 0.25, true, 2 });
+  EXPECT_TRUE(Contains(this->Text(), "The input was mended"));
+  EXPECT_TRUE(Contains(this->Text(), "port 0 (z-slices), cell 7"));
+  EXPECT_EQ(CountMessages(this->Text()), 2);
+  this->Result.Invalid.push_back({ ProblemKind::Open, 1, 8, Point3{} });
+  vtkNew<vtkTable> table;
+  WriteProblemTable(this->Result, table);
+  ASSERT_EQ(table->GetNumberOfRows(), 2);
+  const std::pair<const char*, vtkVariant> expected[] = { { "Port", 0 }, { "Cell", 7 },
+    { "SliceAxis", 2 }, { "Kind", 15 }, { "KindName", "DrawnTwice" }, { "LeftOut", 1 },
+    { "X", 1.0 }, { "Y", 0.5 }, { "Z", 0.0 }, { "Size", 0.25 } };
+  for (const auto& value : expected)
+  {
+    EXPECT_EQ(table->GetValueByName(0, value.first), value.second) << value.first;
+  }
+  EXPECT_EQ(table->GetValueByName(1, "KindName").ToString(), "Open");
 }
 
 //----------------------------------------------------------------------------

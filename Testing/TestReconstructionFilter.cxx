@@ -107,11 +107,11 @@ PieceSets Stomach() { return ReadPieceSets({ "lbl_stomach", 1, 0, false }, 32); 
 }
 
 //----------------------------------------------------------------------------
-TEST(ReconstructionFilter, HasThreeOptionalInputsAndSixOutputs)
+TEST(ReconstructionFilter, HasThreeOptionalInputsAndSevenOutputs)
 {
   vtkNew<vtkOrthogonalSliceReconstruction> filter;
   EXPECT_EQ(filter->GetNumberOfInputPorts(), 3);
-  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 6);
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 7);
   for (int port = 0; port < 3; ++port)
   {
     vtkInformation* info = filter->GetInputPortInformation(port);
@@ -124,7 +124,7 @@ TEST(ReconstructionFilter, HasThreeOptionalInputsAndSixOutputs)
   EXPECT_NE(run.Filter->GetHistogramOutput(), nullptr);
   EXPECT_EQ(run.Filter->GetOutputDataObject(1), run.Filter->GetGraphOutput());
   EXPECT_EQ(run.Filter->GetOutputDataObject(2), run.Filter->GetHistogramOutput());
-  for (int port = 2; port < 5; ++port)
+  for (int port = 2; port < 7; ++port)
   {
     EXPECT_NE(vtkTable::SafeDownCast(run.Filter->GetOutputDataObject(port)), nullptr);
   }

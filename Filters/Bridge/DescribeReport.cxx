@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/DescribeReport.h"
 
+#include "Bridge/DescribeProblems.h"
 #include "Core/Cells/DoubtfulJoins.h"
 #include "Core/Reconstruction.h"
 
@@ -12,26 +13,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Of many unusable contours so many are named; the others are counted.
-constexpr std::size_t ListedProblems = 10;
-
-const char* Describe(ProblemKind kind)
-{
-  switch (kind)
-  {
-    case ProblemKind::NotFinite:
-      return "has a coordinate that is not finite";
-    case ProblemKind::OffPlane:
-      return "leaves its plane";
-    case ProblemKind::Open:
-      return "is open";
-    case ProblemKind::CrossesItself:
-      return "crosses itself";
-    case ProblemKind::CrossesOther:
-      return "crosses another contour of its slice";
-  }
-  return "is unusable";
-}
+/// Of many slices so many are named.
+constexpr std::size_t ListedSlices = 10;
 
 std::string TextOf(const Point3& point)
 {
@@ -99,10 +82,15 @@ std::string DescribeOverruledSlice(const Reconstruction& result)
   return text.str();
 }
 
-/// Contours that cannot be used as they are.
+/// Contours that were mended, and those that cannot be used as they are.
 void DescribeContours(
   const Reconstruction& result, const ReportSettings& settings, std::ostringstream& text)
 {
+  if (!result.Mended.empty())
+  {
+    text << "\nThe input was mended (see the table of input problems):"
+         << DescribeMended(result.Mended);
+  }
   if (!result.Invalid.empty())
   {
     text << "\n"
@@ -126,8 +114,8 @@ void DescribeInserted(const Reconstruction& result, std::ostringstream& text)
   {
     if (repair.Kind == RepairKind::ContourInserted)
     {
-      slices << (count == ListedProblems ? ", ..." : count > ListedProblems ? "" : ", ");
-      if (count < ListedProblems)
+      slices << (count == ListedSlices ? ", ..." : count > ListedSlices ? "" : ", ");
+      if (count < ListedSlices)
       {
         slices << AxisNames[repair.Axis] << " = " << result.Grid.Planes[repair.Axis][repair.Plane];
       }
@@ -226,23 +214,6 @@ void DescribeUnexpected(
          << " as expected: the undecided places do not allow it.";
   }
 }
-}
-
-std::string DescribeProblems(const std::vector<Problem>& problems)
-{
-  std::ostringstream text;
-  for (std::size_t i = 0; i < problems.size() && i < ListedProblems; ++i)
-  {
-    const Problem& problem = problems[i];
-    text << "\n  port " << problem.Port << " (" << AxisNames[problem.Port] << "-slices), cell "
-         << problem.Cell << ": the contour " << Describe(problem.Kind) << " at ("
-         << problem.Where[0] << ", " << problem.Where[1] << ", " << problem.Where[2] << ")";
-  }
-  if (problems.size() > ListedProblems)
-  {
-    text << "\n  and " << problems.size() - ListedProblems << " more";
-  }
-  return text.str();
 }
 
 std::string DescribeProblem(const SurfaceProblem& problem)

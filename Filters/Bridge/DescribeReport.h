@@ -8,12 +8,10 @@
 #ifndef OrthoSlicesDescribeReport_h
 #define OrthoSlicesDescribeReport_h
 
-#include "Core/Base/Contours.h"
 #include "Core/Correspondence/PriorKnowledge.h"
 #include "Core/Slicing/SliceSurface.h"
 
 #include <string>
-#include <vector>
 
 namespace orthoslices
 {
@@ -30,16 +28,13 @@ struct ReportSettings
   PriorKnowledge Expected;     ///< what the user knows of the surface
 };
 
-/// One line for each contour that cannot be used as it is, with port, cell and coordinate: the first
-/// ten, and how many more there are.
-std::string DescribeProblems(const std::vector<Problem>& problems);
-
 /// Why a surface cannot be sliced, where, and what to do about it; empty if it can.
 std::string DescribeProblem(const SurfaceProblem& problem);
 
 /**
  * What the user should be told of a surface that is closed all the same; empty if all is well. These
  * are, in this order:
+ *  - contours that were mended, by kinds;
  *  - contours that were left out because they are open, off their plane or not finite;
  *  - contours that cross, and places where the lines of a slice were drawn anew because they touch;
  *  - slices that contradict each other by more than the tolerance, and which slice is the worst;

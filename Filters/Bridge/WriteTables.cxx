@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/WriteTables.h"
 
+#include "Bridge/DescribeProblems.h"
 #include "Core/Reconstruction.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -160,6 +162,36 @@ void WriteUndecidedTable(const Reconstruction& result, vtkTable* table)
     axis->InsertNextValue(plane.Axis);
     coordinate->InsertNextValue(plane.Coordinate);
     settles->InsertNextValue(plane.Settles);
+  }
+}
+
+void WriteProblemTable(const Reconstruction& result, vtkTable* table)
+{
+  auto* port = AddColumn<vtkIntArray>(table, "Port");
+  auto* cell = AddColumn<vtkIdTypeArray>(table, "Cell");
+  auto* axis = AddColumn<vtkIntArray>(table, "SliceAxis");
+  auto* kind = AddColumn<vtkIntArray>(table, "Kind");
+  auto* name = AddColumn<vtkStringArray>(table, "KindName");
+  auto* leftOut = AddColumn<vtkUnsignedCharArray>(table, "LeftOut");
+  vtkDoubleArray* where[3] = { AddColumn<vtkDoubleArray>(table, "X"),
+    AddColumn<vtkDoubleArray>(table, "Y"), AddColumn<vtkDoubleArray>(table, "Z") };
+  auto* size = AddColumn<vtkDoubleArray>(table, "Size");
+  for (const auto* problems : { &result.Mended, &result.Invalid, &result.CrossingProblems })
+  {
+    for (const Problem& problem : *problems)
+    {
+      port->InsertNextValue(problem.Port);
+      cell->InsertNextValue(problem.Cell);
+      axis->InsertNextValue(problem.Axis);
+      kind->InsertNextValue(static_cast<int>(problem.Kind));
+      name->InsertNextValue(NameOf(problem.Kind));
+      leftOut->InsertNextValue(problem.IsLeftOut ? 1 : 0);
+      for (int i = 0; i < 3; ++i)
+      {
+        where[i]->InsertNextValue(problem.Where[i]);
+      }
+      size->InsertNextValue(problem.Size);
+    }
   }
 }
 }

@@ -20,6 +20,9 @@ void WriteSliceTable(const Reconstruction& result, vtkTable* table);
 
 /// Port 5: the undecided places, and where to slice next.
 void WriteUndecidedTable(const Reconstruction& result, vtkTable* table);
+
+/// Port 6: what is wrong with the input, and what became of it.
+void WriteProblemTable(const Reconstruction& result, vtkTable* table);
 }
 
 #endif

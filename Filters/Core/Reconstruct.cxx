@@ -167,6 +167,7 @@ StageRunner::StageRunner(const StageRunner& first, Contours&& contours)
   Reconstruction& result = this->Result;
   result.Invalid = first.Result.Invalid;
   result.CrossingProblems = first.Result.CrossingProblems;
+  result.Mended = first.Result.Mended;
   result.ContourCount = first.Result.ContourCount;
   result.Diagonal = first.Result.Diagonal;
   result.PolygonSizes = first.Result.PolygonSizes;

@@ -35,6 +35,7 @@ struct Reconstruction
 {
   std::vector<Problem> Invalid;          ///< open, off their plane or not finite: left out
   std::vector<Problem> CrossingProblems; ///< contours that cross themselves or others
+  std::vector<Problem> Mended;           ///< what was mended in the input, or left out for that
   bool InsideOut = false;                ///< the contours as drawn bound the outside
   bool Refused = false; ///< because of these, see Options; nothing else is set then
   std::array<Index, 3> ContourCount{ 0, 0,

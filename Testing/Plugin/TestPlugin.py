@@ -80,8 +80,10 @@ def check_outputs():
     slicer = simple.OrthogonalSlicer(Input=sphere(), NumberOfSlices=[9, 10, 11])
     rec = reconstruct_sliced(slicer)
     for proxy, names in ((slicer, ("XSlices", "YSlices", "ZSlices")),
-                         (rec, ("Surface", "Graph", "Histogram"))):
-        found = tuple(proxy.SMProxy.GetOutputPortName(k) for k in range(3))
+                         (rec, ("Surface", "Graph", "Histogram", "Contours", "Slices", "Undecided",
+                                "Input problems"))):
+        found = tuple(proxy.SMProxy.GetOutputPortName(k)
+                      for k in range(proxy.SMProxy.GetNumberOfOutputPorts()))
         check(found == names, f"the outputs are named {found}")
     for port, planes in enumerate((9, 10, 11)):
         contours = fetch(slicer, port).GetNumberOfLines()

@@ -9,15 +9,30 @@
 
 namespace orthoslices
 {
-/// What is wrong with a contour of the input.
+/// What is wrong with a contour of the input, and what was done about it. The numbers are those of
+/// the table of input problems.
 enum class ProblemKind : std::uint8_t
 {
   NotFinite,     ///< a coordinate is NaN or infinite
   OffPlane,      ///< a vertex is farther from the contour's plane than the tolerance
   Open,          ///< an end point that meets no other
   CrossesItself, ///< two segments of the contour cross
-  CrossesOther   ///< it crosses another contour of the same slice
+  CrossesOther,  ///< it crosses another contour of the same slice
+
+  TooShort,          ///< a piece of one or two points that joins nothing: left out
+  Flat,              ///< a loop without area: left out
+  MovedOntoPlane,    ///< vertices a little off the contour's plane: put on it
+  GapClosed,         ///< loose ends that are near to each other: joined
+  OverrunTrimmed,    ///< a contour that runs past its start: trimmed to where it meets itself
+  ClosedAlongBorder, ///< a contour that ends at the border of the image: closed along it
+  LeftOpen,          ///< the same: left open there
+
+  LoopsUnited,   ///< loops of one slice that cross or overlap: their union
+  BridgeRemoved, ///< an outline and a hole joined by a line drawn twice: two loops
+  LoopSplit,     ///< a loop that touches or crosses itself: several loops
+  DrawnTwice     ///< a contour that was drawn before, exactly or nearly: left out
 };
+constexpr int ProblemKindCount = 16;
 
 /// A problem with its place: input port (0, 1, 2), cell of that input, world coordinates.
 struct Problem
@@ -26,6 +41,11 @@ struct Problem
   int Port;
   std::int64_t Cell;
   Point3 Where;
+  /// How great it is, in world units: distance from the plane, length of the gap, of what was
+  /// trimmed, left out or added, distance of the contours; 0 where that says nothing.
+  double Size = 0.0;
+  bool IsLeftOut = false; ///< the contour takes no part in the surface; else it was mended
+  int Axis = Port;        ///< of the slice
 };
 
 /**

@@ -102,7 +102,7 @@ std::uint64_t Assembler::Hash(Index vertex) const
 
 void Assembler::Report(ProblemKind kind, std::int64_t cell, Index vertex)
 {
-  this->Problems.push_back({ kind, this->Input.Axis, cell, this->World(vertex) });
+  this->Problems.push_back({ kind, this->Input.Axis, cell, this->World(vertex), 0.0, true });
 }
 
 void Assembler::RejectNotFinite()

@@ -169,8 +169,8 @@ void SliceOrienter::Mark(Index contour, ProblemKind kind, Index vertex)
 {
   this->Reported.push_back(contour);
   this->Removed[contour] = this->KeepCrossing ? 0 : 1;
-  this->Problems.push_back(
-    { kind, this->Set.Axis[contour], this->Set.Cell[contour], this->Set.World(contour, vertex) });
+  this->Problems.push_back({ kind, this->Set.Axis[contour], this->Set.Cell[contour],
+    this->Set.World(contour, vertex), 0.0, !this->KeepCrossing });
 }
 
 void SliceOrienter::VisitPair(SegmentTree::Segment a, SegmentTree::Segment b)
