@@ -9,6 +9,8 @@
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/SimplifyArcs.h"
 #include "Core/PatchAllCells.h"
+#include "Core/Loops/RedrawnContours.h"
+#include "Core/Loops/ResolveLoops.h"
 #include "Core/Patches/Domes.h"
 #include "Core/RealSlices.h"
 #include "Core/Slabs/StitchSlabs.h"
@@ -236,9 +238,16 @@ bool StageRunner::OrientSlices()
   { result.Grid = BuildSpatialGrid(contours, this->Tables.Tolerance, options.SinglePrecision); };
   buildGrid();
   const Index assembled = contours.Count();
-  OrientContours(options.Orient, options.Crossing == CrossingContours::Repair, this->Execute,
-    contours, result.CrossingProblems);
-  if (contours.Count() < assembled)
+  const bool asDrawn = options.Orient == Orientation::AsDrawn;
+  const bool isRepaired = options.Crossing == CrossingContours::Repair;
+  RemoveRedrawn(options.RedrawnShare, asDrawn || options.Loops == LoopRule::NonZero, this->Execute,
+    contours, result.Mended);
+  const Index firstSettled = isRepaired
+    ? ResolveLoops(options.Loops, asDrawn, this->Execute, contours, result.Mended)
+    : contours.Count();
+  OrientContours(options.Orient, !isRepaired, firstSettled, this->Execute, contours,
+    result.CrossingProblems);
+  if (contours.Count() < assembled || firstSettled < contours.Count())
   {
     // A plane whose contours were all removed says nothing: it must not count as empty.
     buildGrid();
