@@ -93,10 +93,7 @@ void LoopRegions::AddParts(Index walk, const std::vector<Index>& passages)
         }
       }
     }
-    for (const Index passage : found)
-    {
-      this->Net[passage] /= divisor;
-    }
+    this->TurnsOfPart.push_back(divisor);
   }
 }
 
@@ -355,20 +352,25 @@ std::vector<Index> LoopRegions::FindLevels() const
   return levels;
 }
 
-std::vector<Index> LoopRegions::SumWindings() const
+/// Where the number of turns counts, a part that makes several ones around everything makes one.
+std::vector<Index> LoopRegions::SumWindings(LoopRule rule) const
 {
   std::vector<Index> sums;
   for (const Layers& layers : this->LayersOf)
   {
     sums.push_back(std::accumulate(layers.begin(), layers.end(), Index(0),
-      [](Index sum, const Layer& layer) { return sum + layer.Winding; }));
+      [&](Index sum, const Layer& layer)
+      {
+        const Index turns = rule == LoopRule::EvenOdd ? this->TurnsOfPart[layer.Part] : 1;
+        return sum + layer.Winding / turns;
+      }));
   }
   return sums;
 }
 
 std::vector<std::uint8_t> LoopRegions::FindInside(LoopRule rule) const
 {
-  const std::vector<Index> sums = this->SumWindings();
+  const std::vector<Index> sums = this->SumWindings(rule);
   const std::vector<Index> levels = this->FindLevels();
   std::vector<std::uint8_t> inside(sums.size(), 0);
   for (std::size_t face = 0; face < inside.size(); ++face)
@@ -391,7 +393,7 @@ std::vector<std::uint8_t> LoopRegions::FindInside(LoopRule rule) const
 
 std::vector<std::uint8_t> LoopRegions::FindInsideAsDrawn(LoopRule rule) const
 {
-  const std::vector<Index> sums = this->SumWindings();
+  const std::vector<Index> sums = this->SumWindings(rule);
   const bool isInsideOut = std::none_of(sums.begin(), sums.end(), [](Index w) { return w > 0; });
   std::vector<std::uint8_t> inside;
   for (const Index sum : sums)

@@ -21,8 +21,8 @@ enum class LoopRule
  * What the loops of a slice run around, face by face of the plane graph that they make.
  *
  * The sides that a walk passes as often in one direction as in the other bound nothing: they are
- * bridges. What is left of a walk without them are its *parts*, each connected; a part that runs
- * around everything several times counts once.
+ * bridges. What is left of a walk without them are its *parts*, each connected. With EvenOdd, a part
+ * that runs around everything several times counts once.
  */
 class LoopRegions
 {
@@ -76,13 +76,14 @@ private:
   double LengthOf(Index edge) const;
   bool Contains(Index outer, Index inner) const;
   std::vector<Index> FindLevels() const;
-  std::vector<Index> SumWindings() const;
+  std::vector<Index> SumWindings(LoopRule rule) const;
 
   const PlaneWalks& Walks;
   const PlaneFaces& Graph;
   std::vector<Index> WalkOfPart;
+  std::vector<Index> TurnsOfPart;   ///< greatest common divisor of its winding numbers
   std::vector<Index> PartOfPassage; ///< -1 on bridges
-  std::vector<Index> Net;           ///< of each passage, for its part
+  std::vector<Index> Net;           ///< of each passage
   std::vector<Index> EdgeOfPassage;
   std::vector<std::vector<Index>> EdgesOf;   ///< of each component
   std::vector<Layers> LayersOf;              ///< of each face

@@ -75,25 +75,21 @@ std::vector<std::vector<Point2>> SliceResolver::ReadPolygons() const
 
 void SliceResolver::FindLoneWalks(const PlaneWalks& walks, const PlaneFaces& faces)
 {
-  this->IsLone.assign(walks.Walks.size(), 1);
-  for (std::size_t i = 0; i < walks.Walks.size(); ++i)
-  {
-    const std::vector<Index>& walk = walks.Walks[i];
-    const auto isPassedOnce = [&](Index node) { return faces.Leaving(node).size() == 2; };
-    this->IsLone[i] = walk.size() == this->Polygons[i].size() &&
-      std::all_of(walk.begin(), walk.end(), isPassedOnce);
-  }
-  // Polygons that are the same pass each node twice along the same edges.
+  // Edges that no other walk passes, and of which the nodes have no others.
+  std::vector<std::size_t> ownEdges(walks.Walks.size(), 0);
   for (Index edge = 0; edge < faces.CountHalfEdges() / 2; ++edge)
   {
-    for (Index i = faces.FirstPassage(edge); i < faces.EndOfPassages(edge); ++i)
-    {
-      const PlaneFaces::Passage& passage = faces.PassageAt(i);
-      if (faces.EndOfPassages(edge) - faces.FirstPassage(edge) > 1 || std::abs(passage.Net) != 1)
-      {
-        this->IsLone[passage.Walk] = 0;
-      }
-    }
+    const Index first = faces.FirstPassage(edge);
+    const bool isOwn = faces.EndOfPassages(edge) - first == 1 &&
+      faces.Leaving(faces.Head(2 * edge)).size() == 2 &&
+      faces.Leaving(faces.Tail(2 * edge)).size() == 2;
+    ownEdges[faces.PassageAt(first).Walk] += isOwn ? 1 : 0;
+  }
+  this->IsLone.resize(walks.Walks.size());
+  for (std::size_t i = 0; i < walks.Walks.size(); ++i)
+  {
+    const std::size_t corners = this->Polygons[i].size();
+    this->IsLone[i] = corners == walks.Walks[i].size() && corners == ownEdges[i];
   }
 }
 
