@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/MakeSurface.h"
+
+#include "Core/Cells/DoubtfulJoins.h"
+#include "Core/Crossings/NodeNormals.h"
+#include "Core/Graph/EmbedArcs.h"
+#include "Core/Graph/SimplifyArcs.h"
+#include "Core/PatchAllCells.h"
+#include "Core/Patches/Domes.h"
+#include "Core/Slabs/StitchSlabs.h"
+
+#include <algorithm>
+
+namespace orthoslices
+{
+namespace
+{
+/// Whether the real slices are cuts of one solid: contours meet to within a small part of a spacing.
+bool DoSlicesAgree(const SpatialGrid& grid, const GridCrossings& crossings, const NodePoints& nodes)
+{
+  constexpr double maximum = 0.03;
+  double sum = 0.0;
+  for (const double difference : nodes.Difference)
+  {
+    sum += difference * difference;
+  }
+  const double spacing =
+    std::min({ grid.MeanSpacing(0), grid.MeanSpacing(1), grid.MeanSpacing(2) });
+  return sum <= maximum * maximum * spacing * spacing * CountRealNodes(grid, crossings, nodes);
+}
+
+/// One repair for each patch between real slices that became a shell.
+std::vector<Repair> DescribeShells(const Reconstruction& result)
+{
+  std::vector<Repair> repairs;
+  for (const PatchMesh& mesh : result.Surface.Meshes)
+  {
+    const CycleGeometry geometry = GeometryOf(result);
+    const auto isReal = [&](Index cycle) { return geometry.IsReal(cycle); };
+    if (!mesh.IsSeparatedDisc() || !std::all_of(mesh.Cycles.begin(), mesh.Cycles.end(), isReal))
+    {
+      continue;
+    }
+    const std::vector<Index> border = geometry.GetBorders(mesh.Cycles);
+    Point3 sum{ 0.0, 0.0, 0.0 };
+    double length = 0.0;
+    for (std::size_t i = 0; i < border.size(); ++i)
+    {
+      const Point3 p = result.Graph.PointAt(border[i]);
+      const Point3 q = result.Graph.PointAt(border[(i + 1) % border.size()]);
+      length += Length(q - p);
+      sum = sum + (1.0 / border.size()) * p;
+    }
+    repairs.push_back({ RepairKind::PatchesSeparated, -1, -1, sum, length });
+  }
+  return repairs;
+}
+
+/// What the slices leave open, and what of that the user has to be told.
+void ListDoubts(Reconstruction& result)
+{
+  const CycleGeometry geometry = GeometryOf(result);
+  result.PolygonSizes = CountPolygonSizes(result.Cycles, result.Graph);
+  result.Undecided = FindUndecidedPlaces(geometry, result.Joins);
+  result.Doubtful = FindUndecidedPlaces(geometry, FindDoubtfulJoins(geometry, result.Joins), 1);
+}
+
+/// Where contours cross the lattice, without contradictions between the slices (section 4.2).
+bool MakeSlicesAgree(Pass& pass)
+{
+  Reconstruction& result = pass.Result;
+  StageTables& tables = pass.Tables;
+  result.Crossings =
+    RegisterCrossings(tables.Contours, result.Grid, pass.Execute, tables.IsolatedParts);
+  tables.Edges = FileOnEdges(result.Crossings);
+  pass.Finish(Stage::RegisterCrossings);
+  if (!pass.GoOn(0.5))
+  {
+    return false;
+  }
+  result.Reconciled =
+    ReconcileSlices({ result.Grid, result.Crossings, tables.Edges, tables.IsolatedParts },
+      pass.Settings.Weights, result.InsideOut ? 1 : 0);
+  result.Repairs.swap(result.Reconciled.Repairs);
+  pass.Report(pass.Inserted);
+  pass.Finish(Stage::ReconcileSlices);
+  result.Nodes = PairNodePoints(result.Grid, result.Crossings, tables.Edges, pass.Settings.Weights);
+  pass.Finish(Stage::PairNodePoints);
+  tables.Edges = EdgeRegister();
+  return true;
+}
+
+/// The graph G of node points and arcs (section 4.1), its arcs embedded, and the report.
+bool BuildGraph(Pass& pass)
+{
+  Reconstruction& result = pass.Result;
+  Contours& contours = pass.Tables.Contours;
+  std::vector<double>& normals = pass.Tables.NodeNormals;
+  result.Graph = BuildNodeGraph(
+    { contours, result.Grid, result.Crossings, result.Nodes }, pass.Tables.Tolerance, pass.Execute);
+  normals = ComputeNodeNormals(contours, result.Grid, result.Crossings, result.Nodes, pass.Execute);
+  result.Isolated = CopyIsolated(pass.Tables.IsolatedParts, contours, result.Crossings,
+    DoSlicesAgree(result.Grid, result.Crossings, result.Nodes));
+  pass.Finish(Stage::BuildNodeGraph);
+  result.Agreement =
+    MeasureAgreement(contours, result.Grid, result.Crossings, result.Nodes, normals);
+  result.Members = { contours.Axis, contours.Plane, contours.Cell, contours.Virtual };
+  pass.Finish(Stage::MeasureAgreement);
+  ThinArcs(pass.Settings.ContourTolerance * MinMeanSpacing(result.Grid), result.Crossings,
+    result.Nodes, pass.Execute, result.Graph);
+  pass.Finish(Stage::ThinArcs);
+  pass.Report(
+    EmbedArcs({ result.Grid, result.Nodes, result.Crossings, result.Graph }, pass.Execute));
+  pass.Finish(Stage::EmbedArcs);
+  contours = Contours();
+  return pass.GoOn(0.65);
+}
+
+/// Cycles in each cell (section 4.3), and the patches that are not fans.
+bool PatchCells(Pass& pass)
+{
+  PatchAllCells(
+    pass.Settings, pass.Execute, [&](Stage stage) { pass.Finish(stage); }, pass.Tables.NodeNormals,
+    pass.Result);
+  if (!pass.Result.Grid.HasVirtual()) // else they are known
+  {
+    ListDoubts(pass.Result);
+  }
+  pass.Report(DescribeShells(pass.Result));
+  pass.Finish(Stage::FindUndecidedPlaces);
+  return pass.GoOn(0.7);
+}
+
+}
+
+bool ConnectContours(Pass& pass)
+{
+  return MakeSlicesAgree(pass) && BuildGraph(pass) && PatchCells(pass);
+}
+
+/// Normals along the contours, and the inside of the patches (section 5).
+bool FillCycles(const PatchOptions& patching, Pass& pass)
+{
+  Reconstruction& result = pass.Result;
+  const CycleGeometry geometry = GeometryOf(result);
+  if (NeedsNormals(patching.Method))
+  {
+    result.Normals = EstimateNormals(geometry, patching.CornerAngle,
+      TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), pass.Execute);
+  }
+  pass.Finish(Stage::EstimateNormals);
+  result.Surface.Inner = BuildInnerPatches(
+    { geometry, result.Cells, result.Normals, result.Surface.CentralPoints, result.Surface.Meshes },
+    patching, pass.Execute);
+  if (!GivesNormals(patching.Method))
+  {
+    result.Normals = {}; // those of the triangles say more
+  }
+  pass.Finish(Stage::BuildInnerPatches);
+  LayOutTriangles(result.Graph, result.Cycles, result.Surface);
+  pass.Finish(Stage::LayOutTriangles);
+  return pass.GoOn(0.8);
+}
+}

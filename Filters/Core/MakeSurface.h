@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesMakeSurface_h
+#define OrthoSlicesMakeSurface_h
+
+#include "Core/Pass.h"
+
+namespace orthoslices
+{
+/// From contours to the cycles of all cells and how they are joined (the paper's section 4): crossings,
+/// agreement of the slices, graph, patches without their inside, and the report. False: stopped.
+bool ConnectContours(Pass& pass);
+
+/// The inside of the patches, and all triangles (section 5). False: stopped.
+bool FillCycles(const PatchOptions& patching, Pass& pass);
+}
+
+#endif

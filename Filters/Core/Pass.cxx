@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Pass.h"
+
+#include "Core/CheckInvariants.h"
+#include "Core/RealSlices.h"
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace orthoslices
+{
+Pass::Pass(const Pass& first, Contours&& contours)
+  : Pass(first.Settings, first.Execute, first.Observe)
+{
+  this->Tables.Tolerance = first.Tables.Tolerance;
+  this->Tables.Contours = std::move(contours);
+  this->Inserted = first.Inserted;
+  Reconstruction& result = this->Result;
+  result.Invalid = first.Result.Invalid;
+  result.CrossingProblems = first.Result.CrossingProblems;
+  result.Mended = first.Result.Mended;
+  result.ContourCount = first.Result.ContourCount;
+  result.Diagonal = first.Result.Diagonal;
+  result.PolygonSizes = first.Result.PolygonSizes;
+  result.Undecided = first.Result.Undecided;
+  result.Doubtful = first.Result.Doubtful;
+  this->BuildGrid();
+}
+
+void Pass::Finish(Stage stage) const
+{
+#ifdef ORTHOGONAL_SLICES_CHECK_INVARIANTS
+  const std::string wrong = CheckInvariants(stage, this->Tables, this->Result);
+  if (!wrong.empty())
+  {
+    std::cerr << wrong << std::endl;
+    std::abort();
+  }
+#endif
+  if (this->Observe)
+  {
+    this->Observe(stage, this->Tables, this->Result);
+  }
+}
+
+bool Pass::GoOn(double progress)
+{
+  this->Result.Stopped = !this->Execute.Continue(this->From + (this->To - this->From) * progress);
+  return !this->Result.Stopped;
+}
+
+void Pass::SetShare(double from, double to)
+{
+  this->From = from;
+  this->To = to;
+}
+
+void Pass::Report(const std::vector<Repair>& repairs)
+{
+  AppendReal(repairs, this->Result.Grid, this->Result.Repairs);
+}
+
+void Pass::BuildGrid()
+{
+  this->Result.Grid =
+    BuildSpatialGrid(this->Tables.Contours, this->Tables.Tolerance, this->Settings.SinglePrecision);
+}
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesPass_h
+#define OrthoSlicesPass_h
+
+#include "Core/Base/Execution.h"
+#include "Core/Options.h"
+#include "Core/Reconstruction.h"
+#include "Core/Stage.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/**
+ * One pass of the stages of Reconstruct over a set of contours: the data that go from stage to stage,
+ * and what each stage has to do besides its work. Where slices are few there are several passes, each
+ * over other contours of the same input.
+ */
+class Pass
+{
+public:
+  Pass(const Options& options, const Execution& execution, const StageObserver& observer)
+    : Settings(options)
+    , Execute(execution)
+    , Observe(observer)
+  {
+  }
+
+  /// A pass over other contours of the same input: what the report says of the input is what the
+  /// first pass found.
+  Pass(const Pass& first, Contours&& contours);
+
+  /// Is called after each stage: shows the tables to the observer, and checks them if the build has
+  /// invariants checked.
+  void Finish(Stage stage) const;
+
+  /// Names the share of this part's work that is done, and asks whether to go on. False: stop.
+  bool GoOn(double progress);
+
+  /// Where the part that comes next begins and ends in the progress of the whole, 0 to 1.
+  void SetShare(double from, double to);
+
+  /// Lists repairs, those of virtual slices left out.
+  void Report(const std::vector<Repair>& repairs);
+
+  void BuildGrid();
+
+  Options Settings;
+  const Execution& Execute;
+  const StageObserver& Observe;
+  StageTables Tables;
+  std::vector<Repair> Inserted; ///< contours that slices lack
+  Reconstruction Result;
+
+private:
+  double From = 0.0, To = 1.0; ///< progress of the whole at 0 and 1 of the part at work
+};
+}
+
+#endif
