@@ -54,6 +54,11 @@ constexpr Choice<orthoslices::CrossingContours> CrossingContoursModes[] = {
   { Filter::REFUSE_CROSSING, orthoslices::CrossingContours::Refuse, "Refuse" },
   { Filter::LEAVE_OUT_CROSSING, orthoslices::CrossingContours::LeaveOut, "LeaveOut" }
 };
+constexpr Choice<orthoslices::LoopRule> LoopRules[] = {
+  { Filter::UNION, orthoslices::LoopRule::Union, "Union" },
+  { Filter::EVEN_ODD, orthoslices::LoopRule::EvenOdd, "EvenOdd" },
+  { Filter::NON_ZERO, orthoslices::LoopRule::NonZero, "NonZero" }
+};
 constexpr Choice<orthoslices::VirtualSlices> VirtualSlicesModes[] = {
   { Filter::AUTOMATIC_VIRTUAL_SLICES, orthoslices::VirtualSlices::Automatic, "Automatic" },
   { Filter::NO_VIRTUAL_SLICES, orthoslices::VirtualSlices::Off, "Off" },
@@ -97,7 +102,7 @@ constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
   return true;
 }
 static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
-    IsIndexed(CrossingContoursModes) && IsIndexed(VirtualSlicesModes) &&
+    IsIndexed(CrossingContoursModes) && IsIndexed(LoopRules) && IsIndexed(VirtualSlicesModes) &&
     IsIndexed(SeveralCyclesModes) && IsIndexed(Correspondences) && IsIndexed(PatchTypes) &&
     IsIndexed(CentralPoints),
   "The setters clamp properties to their first and last value");
@@ -313,6 +318,8 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.VirtualSpacing = this->VirtualSliceSpacing;
   options.RefuseInvalid = InvalidContoursModes[this->InvalidContours].Value;
   options.Crossing = CrossingContoursModes[this->CrossingContours].Value;
+  options.Loops = LoopRules[this->LoopRule].Value;
+  options.RedrawnShare = this->RedrawnTolerance;
   if (std::any_of(this->AxisWeights, this->AxisWeights + 3, [](double w) { return w > 0.0; }))
   {
     std::copy_n(this->AxisWeights, 3, options.Weights.begin());
@@ -401,6 +408,8 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InvalidContours: " << InvalidContoursModes[this->InvalidContours].Name << "\n";
   os << indent << "CrossingContours: " << CrossingContoursModes[this->CrossingContours].Name
      << "\n";
+  os << indent << "LoopRule: " << LoopRules[this->LoopRule].Name << "\n";
+  os << indent << "RedrawnTolerance: " << this->RedrawnTolerance << "\n";
   os << indent << "InsertMissingContours: " << (this->InsertMissingContours ? "On" : "Off") << "\n";
   os << indent << "VirtualSlices: " << VirtualSlicesModes[this->VirtualSlices].Name << "\n";
   os << indent << "VirtualSliceSpacing: " << this->VirtualSliceSpacing << "\n";
