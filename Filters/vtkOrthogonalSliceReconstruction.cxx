@@ -47,18 +47,24 @@ constexpr Choice<orthoslices::Orientation> Orientations[] = {
   { Filter::ORIENT_AS_DRAWN, orthoslices::Orientation::AsDrawn, "AsDrawn" }
 };
 /// Whether the input is refused.
-constexpr Choice<bool> InvalidContoursModes[] = { { Filter::REFUSE, true, "Refuse" },
-  { Filter::LEAVE_OUT, false, "LeaveOut" } };
+constexpr Choice<orthoslices::InvalidContours> InvalidContoursModes[] = {
+  { Filter::REFUSE, orthoslices::InvalidContours::Refuse, "Refuse" },
+  { Filter::LEAVE_OUT, orthoslices::InvalidContours::LeaveOut, "LeaveOut" },
+  { Filter::MEND, orthoslices::InvalidContours::Mend, "Mend" }
+};
+constexpr Choice<orthoslices::BorderContours> BorderContoursModes[] = {
+  { Filter::CLOSE_ALONG_BORDER, orthoslices::BorderContours::CloseAlong, "CloseAlongBorder" },
+  { Filter::REFUSE_AT_BORDER, orthoslices::BorderContours::Refuse, "Refuse" }
+};
 constexpr Choice<orthoslices::CrossingContours> CrossingContoursModes[] = {
   { Filter::REPAIR_CROSSING, orthoslices::CrossingContours::Repair, "Repair" },
   { Filter::REFUSE_CROSSING, orthoslices::CrossingContours::Refuse, "Refuse" },
   { Filter::LEAVE_OUT_CROSSING, orthoslices::CrossingContours::LeaveOut, "LeaveOut" }
 };
-constexpr Choice<orthoslices::LoopRule> LoopRules[] = {
-  { Filter::UNION, orthoslices::LoopRule::Union, "Union" },
+constexpr Choice<orthoslices::LoopRule> LoopRules[] = { { Filter::UNION,
+                                                          orthoslices::LoopRule::Union, "Union" },
   { Filter::EVEN_ODD, orthoslices::LoopRule::EvenOdd, "EvenOdd" },
-  { Filter::NON_ZERO, orthoslices::LoopRule::NonZero, "NonZero" }
-};
+  { Filter::NON_ZERO, orthoslices::LoopRule::NonZero, "NonZero" } };
 constexpr Choice<orthoslices::VirtualSlices> VirtualSlicesModes[] = {
   { Filter::AUTOMATIC_VIRTUAL_SLICES, orthoslices::VirtualSlices::Automatic, "Automatic" },
   { Filter::NO_VIRTUAL_SLICES, orthoslices::VirtualSlices::Off, "Off" },
@@ -102,9 +108,9 @@ constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
   return true;
 }
 static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
-    IsIndexed(CrossingContoursModes) && IsIndexed(LoopRules) && IsIndexed(VirtualSlicesModes) &&
-    IsIndexed(SeveralCyclesModes) && IsIndexed(Correspondences) && IsIndexed(PatchTypes) &&
-    IsIndexed(CentralPoints),
+    IsIndexed(BorderContoursModes) && IsIndexed(CrossingContoursModes) && IsIndexed(LoopRules) &&
+    IsIndexed(VirtualSlicesModes) && IsIndexed(SeveralCyclesModes) && IsIndexed(Correspondences) &&
+    IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
   "The setters clamp properties to their first and last value");
 
 /// More contour vertices than that on one port do not fit into the core's numbers.
@@ -316,7 +322,8 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.InsertMissing = this->InsertMissingContours;
   options.Virtual = VirtualSlicesModes[this->VirtualSlices].Value;
   options.VirtualSpacing = this->VirtualSliceSpacing;
-  options.RefuseInvalid = InvalidContoursModes[this->InvalidContours].Value;
+  options.Invalid = InvalidContoursModes[this->InvalidContours].Value;
+  options.AtBorder = BorderContoursModes[this->BorderContours].Value;
   options.Crossing = CrossingContoursModes[this->CrossingContours].Value;
   options.Loops = LoopRules[this->LoopRule].Value;
   options.RedrawnShare = this->RedrawnTolerance;
@@ -406,6 +413,7 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PlaneTolerance: " << this->PlaneTolerance << "\n";
   os << indent << "Orientation: " << Orientations[this->Orientation].Name << "\n";
   os << indent << "InvalidContours: " << InvalidContoursModes[this->InvalidContours].Name << "\n";
+  os << indent << "BorderContours: " << BorderContoursModes[this->BorderContours].Name << "\n";
   os << indent << "CrossingContours: " << CrossingContoursModes[this->CrossingContours].Name
      << "\n";
   os << indent << "LoopRule: " << LoopRules[this->LoopRule].Name << "\n";

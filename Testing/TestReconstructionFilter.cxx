@@ -81,7 +81,7 @@ void ExpectEmptyOutputs(vtkOrthogonalSliceReconstruction* filter)
     EXPECT_EQ(output->GetNumberOfPoints(), 0);
     EXPECT_EQ(output->GetNumberOfCells(), 0);
   }
-  for (int port = 2; port < 6; ++port)
+  for (int port = 2; port < 7; ++port)
   {
     EXPECT_EQ(TableOf(filter, port)->GetNumberOfRows(), 0);
   }
@@ -92,6 +92,7 @@ void ExpectRefused(const std::string& text, const std::vector<std::string>& part
 {
   SCOPED_TRACE(text);
   TextRun run(text);
+  run.Filter->SetInvalidContoursToRefuse();
   run.Filter->SetCrossingContoursToRefuse();
   run.Update();
   ASSERT_GE(run.Errors.size(), 1u);
@@ -136,7 +137,8 @@ TEST(ReconstructionFilter, DefaultsAndRanges)
   vtkNew<vtkOrthogonalSliceReconstruction> filter;
   EXPECT_EQ(filter->GetPlaneTolerance(), 1e-5);
   EXPECT_EQ(filter->GetOrientation(), vtkOrthogonalSliceReconstruction::ORIENT_BY_NESTING);
-  EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::REFUSE);
+  EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::MEND);
+  EXPECT_EQ(filter->GetBorderContours(), vtkOrthogonalSliceReconstruction::CLOSE_ALONG_BORDER);
   EXPECT_EQ(filter->GetCrossingContours(), vtkOrthogonalSliceReconstruction::REPAIR_CROSSING);
   EXPECT_EQ(filter->GetLoopRule(), vtkOrthogonalSliceReconstruction::UNION);
   EXPECT_EQ(filter->GetRedrawnTolerance(), 0.05);
@@ -150,7 +152,9 @@ TEST(ReconstructionFilter, DefaultsAndRanges)
   filter->SetOrientation(9);
   EXPECT_EQ(filter->GetOrientation(), vtkOrthogonalSliceReconstruction::ORIENT_AS_DRAWN);
   filter->SetInvalidContours(9);
-  EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::LEAVE_OUT);
+  EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::MEND);
+  filter->SetBorderContours(9);
+  EXPECT_EQ(filter->GetBorderContours(), vtkOrthogonalSliceReconstruction::REFUSE_AT_BORDER);
   filter->SetCrossingContours(9);
   EXPECT_EQ(filter->GetCrossingContours(), vtkOrthogonalSliceReconstruction::LEAVE_OUT_CROSSING);
   filter->SetLoopRule(9);
@@ -169,6 +173,10 @@ TEST(ReconstructionFilter, EverySetterChangesTheTimeOnlyIfTheValueChanges)
     [&] { filter->SetPlaneTolerance(0.01); },
     [&] { filter->SetOrientationToAsDrawn(); },
     [&] { filter->SetInvalidContoursToLeaveOut(); },
+    [&] { filter->SetInvalidContoursToRefuse(); },
+    [&] { filter->SetInvalidContoursToMend(); },
+    [&] { filter->SetBorderContoursToRefuse(); },
+    [&] { filter->SetBorderContoursToCloseAlongBorder(); },
     [&] { filter->SetCrossingContoursToRefuse(); },
     [&] { filter->SetCrossingContoursToLeaveOut(); },
     [&] { filter->SetLoopRuleToEvenOdd(); },
@@ -200,7 +208,8 @@ TEST(ReconstructionFilter, PrintsEveryProperty)
   std::ostringstream text;
   filter->Print(text);
   for (const char* name : { "PlaneTolerance: 1e-05", "Orientation: ", "InvalidContours: LeaveOut",
-         "CrossingContours: ", "LoopRule: Union", "RedrawnTolerance: 0.05", "CentralPoint: ", "AxisWeights: 1 1 1", "ReportTolerance: 0.001",
+         "BorderContours: CloseAlongBorder", "CrossingContours: ", "LoopRule: Union",
+         "RedrawnTolerance: 0.05", "CentralPoint: ", "AxisWeights: 1 1 1", "ReportTolerance: 0.001",
          "ComputeNormals: ", "OutputPointsPrecision: " })
   {
     EXPECT_TRUE(Contains(text.str(), name)) << name;
@@ -323,6 +332,7 @@ TEST(ReconstructionFilter, ManyProblemsAreCountedAndTheFirstListed)
     text += "z=9: " + std::to_string(4 * i) + ",0 nan,1 1,1\n";
   }
   TextRun run{ text };
+  run.Filter->SetInvalidContoursToRefuse();
   run.Update();
   ASSERT_GE(run.Errors.size(), 1u);
   EXPECT_TRUE(Contains(run.Errors[0], "25")) << run.Errors[0];

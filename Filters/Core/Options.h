@@ -9,6 +9,7 @@
 #include "Core/Loops/LoopRegions.h"
 #include "Core/Patches/CentralPoints.h"
 #include "Core/Patches/InnerPatches.h"
+#include "Core/Slices/ImageBorder.h"
 #include "Core/Slices/OrientContours.h"
 
 namespace orthoslices
@@ -19,6 +20,14 @@ enum class CrossingContours
   Repair,  ///< LoopRule says what they bound
   Refuse,  ///< no surface if there are any
   LeaveOut ///< removed
+};
+
+/// What happens to contours that are open, off their plane, without area or not finite.
+enum class InvalidContours
+{
+  Refuse,   ///< no surface if there are any
+  LeaveOut, ///< removed
+  Mend      ///< see AssembleContours; removed if that cannot be; no surface if nothing is left
 };
 
 /// Where slices are too few, virtual ones are cut from the surface that bends least between them; see
@@ -34,7 +43,8 @@ struct Options
 {
   double PlaneTolerance = 1e-5; ///< as a fraction of the diagonal of all contours
   Orientation Orient = Orientation::ByNesting;
-  bool RefuseInvalid = true; ///< no surface if a contour is open, off its plane or not finite
+  InvalidContours Invalid = InvalidContours::Mend;
+  BorderContours AtBorder = BorderContours::CloseAlong; ///< with InvalidContours::Mend
   CrossingContours Crossing = CrossingContours::Repair;
   LoopRule Loops = LoopRule::Union; ///< with Repair
   double RedrawnShare = 0.05;       ///< of the thickness of contours; see RemoveRedrawn

@@ -189,7 +189,8 @@ std::vector<Point2> PointsInAllFaces(const std::vector<Polygon>& polygons, doubl
     {
       const Point2 point{ u, 0.5 * (vs[k] + vs[k + 1]) };
       bool isClear = true;
-      VisitSides(polygons, [&](const Point2& p, const Point2& q)
+      VisitSides(polygons,
+        [&](const Point2& p, const Point2& q)
         { isClear = isClear && DistanceTo(point, p, q) > least; });
       if (isClear)
       {

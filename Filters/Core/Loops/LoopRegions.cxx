@@ -229,8 +229,8 @@ void LoopRegions::AddSurrounding()
     const Layers& more = around[this->Graph.Component(face)];
     Layers& layers = this->LayersOf[face];
     layers.insert(layers.end(), more.begin(), more.end());
-    std::sort(layers.begin(), layers.end(),
-      [](const Layer& a, const Layer& b) { return a.Part < b.Part; });
+    std::sort(
+      layers.begin(), layers.end(), [](const Layer& a, const Layer& b) { return a.Part < b.Part; });
   }
 }
 
@@ -258,8 +258,8 @@ void LoopRegions::FindContainers()
       std::vector<Index>& containers = this->Containers[part];
       std::vector<Index> common;
       const std::vector<Index>& before = isKnown[part] ? containers : here;
-      std::set_intersection(before.begin(), before.end(), here.begin(), here.end(),
-        std::back_inserter(common));
+      std::set_intersection(
+        before.begin(), before.end(), here.begin(), here.end(), std::back_inserter(common));
       containers.swap(common);
       isKnown[part] = 1;
     }

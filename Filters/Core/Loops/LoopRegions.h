@@ -85,8 +85,8 @@ private:
   std::vector<Index> PartOfPassage; ///< -1 on bridges
   std::vector<Index> Net;           ///< of each passage
   std::vector<Index> EdgeOfPassage;
-  std::vector<std::vector<Index>> EdgesOf;   ///< of each component
-  std::vector<Layers> LayersOf;              ///< of each face
+  std::vector<std::vector<Index>> EdgesOf;    ///< of each component
+  std::vector<Layers> LayersOf;               ///< of each face
   std::vector<std::vector<Index>> Containers; ///< of each part: the others that surround all of it
   std::vector<Index> SameAs;
 };

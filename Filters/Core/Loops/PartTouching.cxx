@@ -168,8 +168,8 @@ void LoopParter::PartAt(Index node, std::vector<Passing>& passings)
     for (const Index halfEdge : { passing.From, passing.To })
     {
       const Point2& end = this->At(this->Graph.Head(halfEdge));
-      instead.push_back(Between(
-        this->At(node), end, step * passing.Depth / Distance(this->At(node), end)));
+      instead.push_back(
+        Between(this->At(node), end, step * passing.Depth / Distance(this->At(node), end)));
     }
   }
 }
@@ -194,8 +194,7 @@ void LoopParter::Run()
       const Index node = this->Graph.Head(this->Loops[loop].HalfEdges[i]);
       if (visits[node] > 1)
       {
-        passings[node].push_back(
-          this->Describe(static_cast<Index>(loop), static_cast<Index>(i)));
+        passings[node].push_back(this->Describe(static_cast<Index>(loop), static_cast<Index>(i)));
       }
     }
   }

@@ -129,8 +129,7 @@ double RepetitionFinder::DistanceTo(const Point2& x, Index contour, Index vertex
 
 /// The distance from a contour if it is less than the limit, or one that is more. Begins to look at
 /// the segment `start`, and leaves there where it found it.
-double RepetitionFinder::NearestOf(
-  const Point2& x, Index contour, double limit, Index& start) const
+double RepetitionFinder::NearestOf(const Point2& x, Index contour, double limit, Index& start) const
 {
   constexpr Index around = 8; // segments that are looked at even if one before is near enough
   const Index first = this->Set.Offsets[contour];
@@ -188,8 +187,8 @@ bool RepetitionFinder::Compare(Index a, Index b, Repetition& repetition) const
   {
     return false;
   }
-  repetition.Distance = std::max(this->FarthestFrom(b, a, repetition.Limit),
-    this->FarthestFrom(a, b, repetition.Limit));
+  repetition.Distance = std::max(
+    this->FarthestFrom(b, a, repetition.Limit), this->FarthestFrom(a, b, repetition.Limit));
   return repetition.Distance <= repetition.Limit;
 }
 
@@ -231,7 +230,8 @@ std::vector<Repetition> RepetitionFinder::FindInSlice(const std::vector<Index>& 
       }
     }
   }
-  std::sort(found.begin(), found.end(), [](const Repetition& a, const Repetition& b)
+  std::sort(found.begin(), found.end(),
+    [](const Repetition& a, const Repetition& b)
     { return a.First != b.First ? a.First < b.First : a.Second < b.Second; });
   return found;
 }
@@ -299,8 +299,8 @@ Index RepetitionFinder::CountCrossings(const Repetition& repetition) const
       const double coordinate = this->Set.Coordinate[contour];
       const Point2 x =
         across == FirstAxis(axis) ? Point2{ coordinate, place } : Point2{ place, coordinate };
-      count +=
-        this->NearestOf(x, repetition.First, 2.0 * repetition.Limit, start) <= 2.0 * repetition.Limit
+      count += this->NearestOf(x, repetition.First, 2.0 * repetition.Limit, start) <=
+          2.0 * repetition.Limit
         ? 1
         : 0;
     }
@@ -384,9 +384,9 @@ void RemoveRedrawn(double share, bool directionsCount, const Execution& executio
     if (!isWall && !removed[all[i].First] && !removed[all[i].Second])
     {
       removed[all[i].Second] = 1;
-      mended.push_back({ ProblemKind::DrawnTwice, contours.Axis[all[i].Second],
-        contours.Cell[all[i].Second],
-        contours.World(all[i].Second, contours.Offsets[all[i].Second]), all[i].Distance, true });
+      mended.push_back(
+        { ProblemKind::DrawnTwice, contours.Axis[all[i].Second], contours.Cell[all[i].Second],
+          contours.World(all[i].Second, contours.Offsets[all[i].Second]), all[i].Distance, true });
     }
   }
   RemoveMarked(removed, contours);

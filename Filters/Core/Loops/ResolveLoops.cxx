@@ -46,8 +46,8 @@ private:
   void AddLoop(Index contour, const std::vector<Point2>& points);
   bool IsThin(const std::vector<Point2>& points) const;
   void ReportMeetings(const std::vector<LoopMeeting>& meetings);
-  void ReportWalks(const PlaneWalks& walks, const PlaneFaces& faces,
-    const std::vector<LoopMeeting>& meetings);
+  void ReportWalks(
+    const PlaneWalks& walks, const PlaneFaces& faces, const std::vector<LoopMeeting>& meetings);
   void Report(ProblemKind kind, Index contour, const Point2& where, double size, bool isLeftOut);
 
   const Contours& Set;
@@ -231,8 +231,8 @@ ResolvedSlice SliceResolver::Run(LoopRule rule, bool asDrawn)
   }
   const PlaneFaces faces(walks);
   const LoopRegions regions(walks, faces);
-  std::vector<TracedLoop> loops = TraceRegion(
-    walks, faces, asDrawn ? regions.FindInsideAsDrawn(rule) : regions.FindInside(rule));
+  std::vector<TracedLoop> loops =
+    TraceRegion(walks, faces, asDrawn ? regions.FindInsideAsDrawn(rule) : regions.FindInside(rule));
   this->FindLoneWalks(walks, faces);
   this->AddLoops(faces, loops);
   this->ReportMeetings(meetings);

@@ -90,8 +90,8 @@ Index RegionTracer::MainWalkOf(const std::vector<Index>& halfEdges) const
   std::map<Index, double> lengths;
   for (const Index halfEdge : halfEdges)
   {
-    const double length = Distance(this->Walks.Nodes[this->Graph.Tail(halfEdge)],
-      this->Walks.Nodes[this->Graph.Head(halfEdge)]);
+    const double length = Distance(
+      this->Walks.Nodes[this->Graph.Tail(halfEdge)], this->Walks.Nodes[this->Graph.Head(halfEdge)]);
     for (Index i = this->Graph.FirstPassage(halfEdge / 2);
          i < this->Graph.EndOfPassages(halfEdge / 2); ++i)
     {

@@ -141,8 +141,8 @@ void PolygonSplitter::Read(const std::vector<std::vector<Point2>>& polygons)
     all.insert(all.end(), polygon.begin(), polygon.end());
   }
   const std::array<double, 2> size = MeasurePoints(all);
-  this->Resolution = std::max(
-    std::ldexp(size[0], -40), 8.0 * std::numeric_limits<double>::epsilon() * size[1]);
+  this->Resolution =
+    std::max(std::ldexp(size[0], -40), 8.0 * std::numeric_limits<double>::epsilon() * size[1]);
   // Numbers the places in the order of their first corner.
   std::vector<Index> order(all.size());
   std::iota(order.begin(), order.end(), 0);

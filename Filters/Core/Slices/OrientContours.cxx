@@ -18,7 +18,8 @@ using Slice = std::vector<Index>; ///< contours on one plane
 class SliceOrienter
 {
 public:
-  SliceOrienter(Contours& contours, std::vector<std::uint8_t>& removed, std::vector<Problem>& problems)
+  SliceOrienter(
+    Contours& contours, std::vector<std::uint8_t>& removed, std::vector<Problem>& problems)
     : Set(contours)
     , Removed(removed)
     , Problems(problems)

@@ -35,10 +35,7 @@ void AddCircle(Pieces& pieces, double plane, double radius, double step = 7.5)
 }
 
 /// The contours of the pieces, all of which are closed.
-Contours Close(const PieceSets& sets)
-{
-  return ParseContours(ToText(sets));
-}
+Contours Close(const PieceSets& sets) { return ParseContours(ToText(sets)); }
 
 /// Cells of z-slices that are left, and what was reported.
 std::vector<Problem> Remove(Contours& contours, double share = 0.05, bool directionsCount = false)
@@ -154,7 +151,8 @@ TEST(RedrawnContours, WallsThatOtherSlicesShowStay)
       }
       if (!isWall)
       {
-        AddPiece(sets[0], { { -outer, -1.0 }, { outer, -1.0 }, { outer, 5.0 }, { -outer, 5.0 } }, x);
+        AddPiece(
+          sets[0], { { -outer, -1.0 }, { outer, -1.0 }, { outer, 5.0 }, { -outer, 5.0 } }, x);
       }
     }
     Contours contours = Close(sets);

@@ -56,8 +56,7 @@ Resolved Resolve(Contours contours, LoopRule rule = LoopRule::Union, bool asDraw
   return result;
 }
 
-Resolved Resolve(
-  const std::string& text, LoopRule rule = LoopRule::Union, bool asDrawn = false)
+Resolved Resolve(const std::string& text, LoopRule rule = LoopRule::Union, bool asDrawn = false)
 {
   return Resolve(ParseContours(text), rule, asDrawn);
 }
@@ -127,8 +126,8 @@ void ExpectRegion(
 TEST(ResolveLoops, ContoursThatTouchOrNestStayAsTheyAre)
 {
   for (const char* text : { "z=0: 0,0 9,0 9,9 0,9; z=0: 3,3 6,3 6,6 3,6",
-         "z=0: 0,0 1,0 1,1 0,1; z=0: 1,1 2,1 2,2 1,2",    // in a corner
-         "z=0: 0,0 4,0 4,4 0,4; z=0: 2,0 3,1 1,1",        // a corner on an edge
+         "z=0: 0,0 1,0 1,1 0,1; z=0: 1,1 2,1 2,2 1,2",       // in a corner
+         "z=0: 0,0 4,0 4,4 0,4; z=0: 2,0 3,1 1,1",           // a corner on an edge
          "z=0: 0,0 1,1 0,2 2,2 1,1 2,0; x=0: 0,0 1,0 1,1" }) // itself, in a corner
   {
     SCOPED_TRACE(text);
@@ -153,8 +152,9 @@ TEST(ResolveLoops, LoopsThatOverlapAreUnited)
   EXPECT_EQ(two.Count(ProblemKind::LoopsUnited), 2);
   EXPECT_EQ(two.First, 0);
   // A chain, with a hole in the first and one lone loop elsewhere.
-  const Resolved chain = Resolve("z=0: 0,0 6,0 6,6 0,6; z=0: 5,1 9,1 9,5 5,5; z=0: 8,2 12,2 12,4 8,4; "
-                                 "z=0: 1,1 2,1 2,2 1,2; z=0: 20,0 21,0 21,1");
+  const Resolved chain =
+    Resolve("z=0: 0,0 6,0 6,6 0,6; z=0: 5,1 9,1 9,5 5,5; z=0: 8,2 12,2 12,4 8,4; "
+            "z=0: 1,1 2,1 2,2 1,2; z=0: 20,0 21,0 21,1");
   EXPECT_EQ(chain.Loops.size(), 3u);
   EXPECT_EQ(chain.Area(), 36.0 + 12.0 + 6.0 - 1.0 + 0.5);
   EXPECT_EQ(chain.Count(ProblemKind::LoopsUnited), 3);
@@ -191,11 +191,11 @@ TEST(ResolveLoops, HolesOfOverlappingLoopsStay)
 //----------------------------------------------------------------------------
 TEST(ResolveLoops, KeyholesBecomeOutlineAndHole)
 {
-  for (const char* text : {
-         // The hole drawn in the other direction, in the same one, and with a corner of the bridge.
-         "z=0: 0,0 9,0 9,9 0,9 0,4 3,4 3,6 6,6 6,3 3,3 3,4 0,4",
-         "z=0: 0,0 9,0 9,9 0,9 0,4 3,4 3,3 6,3 6,6 3,6 3,4 0,4",
-         "z=0: 0,0 9,0 9,9 0,9 0,4 1,5 3,4 3,3 6,3 6,6 3,6 3,4 1,5 0,4" })
+  for (const char* text :
+    { // The hole drawn in the other direction, in the same one, and with a corner of the bridge.
+      "z=0: 0,0 9,0 9,9 0,9 0,4 3,4 3,6 6,6 6,3 3,3 3,4 0,4",
+      "z=0: 0,0 9,0 9,9 0,9 0,4 3,4 3,3 6,3 6,6 3,6 3,4 0,4",
+      "z=0: 0,0 9,0 9,9 0,9 0,4 1,5 3,4 3,3 6,3 6,6 3,6 3,4 1,5 0,4" })
   {
     SCOPED_TRACE(text);
     const Resolved keyhole = Resolve(text);
@@ -271,9 +271,11 @@ TEST(ResolveLoops, AsDrawnKeepsTheSideOfTheInterior)
 {
   const std::string clockwise = "z=0: 0,0 0,4 4,4 4,0; z=0: 2,2 2,6 6,6 6,2";
   EXPECT_EQ(Resolve(clockwise, LoopRule::Union, true).Area(), -28.0);
-  EXPECT_EQ(Resolve("z=0: 0,0 4,0 4,4 0,4; z=0: 2,2 6,2 6,6 2,6", LoopRule::Union, true).Area(), 28.0);
+  EXPECT_EQ(
+    Resolve("z=0: 0,0 4,0 4,4 0,4; z=0: 2,2 6,2 6,6 2,6", LoopRule::Union, true).Area(), 28.0);
   // A hole that crosses the outline.
-  EXPECT_EQ(Resolve("z=0: 0,0 4,0 4,4 0,4; z=0: 2,2 2,6 6,6 6,2", LoopRule::Union, true).Area(), 12.0);
+  EXPECT_EQ(
+    Resolve("z=0: 0,0 4,0 4,4 0,4; z=0: 2,2 2,6 6,6 6,2", LoopRule::Union, true).Area(), 12.0);
 }
 
 //----------------------------------------------------------------------------

@@ -17,13 +17,12 @@ using namespace orthoslices::support;
 
 namespace
 {
-std::vector<Problem> Orient(Contours& contours,
-  Orientation orientation = Orientation::ByNesting, bool removeCrossing = true)
+std::vector<Problem> Orient(
+  Contours& contours, Orientation orientation = Orientation::ByNesting, bool removeCrossing = true)
 {
   std::vector<Problem> problems;
   BuildSpatialGrid(contours, 0.0);
-  OrientContours(
-    orientation, removeCrossing, contours.Count(), Execution(), contours, problems);
+  OrientContours(orientation, removeCrossing, contours.Count(), Execution(), contours, problems);
   return problems;
 }
 
@@ -191,7 +190,8 @@ TEST(OrientContours, SmallerOfTwoCrossingContoursGoes)
 //----------------------------------------------------------------------------
 TEST(OrientContours, SettledContoursStayAsTheyAre)
 {
-  Contours contours = ParseContours("z=0: 0,0 0,9 9,9 9,0; z=1: 0,0 0,9 9,9 9,0; z=1: 3,3 6,3 6,6 3,6");
+  Contours contours =
+    ParseContours("z=0: 0,0 0,9 9,9 9,0; z=1: 0,0 0,9 9,9 9,0; z=1: 3,3 6,3 6,6 3,6");
   BuildSpatialGrid(contours, 0.0);
   std::vector<Problem> problems;
   OrientContours(Orientation::ByNesting, false, 1, Execution(), contours, problems);
