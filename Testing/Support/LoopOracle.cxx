@@ -40,32 +40,36 @@ double DistanceTo(const Point2& x, const Point2& p, const Point2& q)
 }
 
 /// For each point, whether the polygon runs around it.
-std::vector<bool> SurroundedPoints(const Polygon& polygon, const std::vector<Point2>& points)
+std::vector<bool> SurroundedPoints(const Polygon& polygon, const std::vector<FacePoint>& points)
 {
   std::vector<bool> surrounded;
-  for (const Point2& point : points)
+  for (const FacePoint& point : points)
   {
-    surrounded.push_back(WindingNumber(polygon, point) != 0);
+    surrounded.push_back(WindingNumber(polygon, point.Place) != 0);
   }
   return surrounded;
 }
 
-bool IsSubset(const std::vector<bool>& inner, const std::vector<bool>& outer)
+using Set = std::vector<bool>;
+
+bool IsMostlyWithin(const Set& inner, const Set& outer, const std::vector<FacePoint>& points)
 {
+  double all = 0.0, within = 0.0;
   for (std::size_t i = 0; i < inner.size(); ++i)
   {
-    if (inner[i] && !outer[i])
-    {
-      return false;
-    }
+    all += inner[i] ? points[i].Area : 0.0;
+    within += inner[i] && outer[i] ? points[i].Area : 0.0;
   }
-  return true;
+  return within >= 0.98 * all;
 }
 
-std::vector<bool> FindUnion(std::vector<std::vector<bool>> sets, std::size_t points)
+bool IsWithin(const Set& inner, const Set& outer, const std::vector<FacePoint>& points)
 {
-  std::sort(sets.begin(), sets.end());
-  sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
+  return IsMostlyWithin(inner, outer, points) && !IsMostlyWithin(outer, inner, points);
+}
+
+Set FindUnion(const std::vector<Set>& sets, const std::vector<FacePoint>& points)
+{
   std::vector<int> level(sets.size(), 0);
   for (std::size_t round = 0; round < sets.size(); ++round)
   {
@@ -73,22 +77,22 @@ std::vector<bool> FindUnion(std::vector<std::vector<bool>> sets, std::size_t poi
     {
       for (std::size_t j = 0; j < sets.size(); ++j)
       {
-        if (i != j && IsSubset(sets[i], sets[j]))
+        if (i != j && IsWithin(sets[i], sets[j], points))
         {
           level[i] = std::max(level[i], level[j] + 1);
         }
       }
     }
   }
-  std::vector<bool> inside(points, false);
+  Set inside(points.size(), false);
   for (std::size_t i = 0; i < sets.size(); ++i)
   {
-    for (std::size_t k = 0; k < points && level[i] % 2 == 0; ++k)
+    for (std::size_t k = 0; k < points.size() && level[i] % 2 == 0; ++k)
     {
       bool isIn = sets[i][k];
       for (std::size_t j = 0; j < sets.size(); ++j)
       {
-        isIn = isIn && !(level[j] % 2 == 1 && sets[j][k] && IsSubset(sets[j], sets[i]));
+        isIn = isIn && !(level[j] % 2 == 1 && sets[j][k] && IsWithin(sets[j], sets[i], points));
       }
       inside[k] = inside[k] || isIn;
     }
@@ -153,7 +157,7 @@ bool AreDisjointAndSimple(const std::vector<Polygon>& polygons)
   return true;
 }
 
-std::vector<Point2> PointsInAllFaces(const std::vector<Polygon>& polygons, double least)
+std::vector<FacePoint> PointsInAllFaces(const std::vector<Polygon>& polygons, double least)
 {
   std::vector<double> us;
   VisitSides(polygons,
@@ -171,7 +175,7 @@ std::vector<Point2> PointsInAllFaces(const std::vector<Polygon>& polygons, doubl
         });
     });
   std::sort(us.begin(), us.end());
-  std::vector<Point2> points;
+  std::vector<FacePoint> points;
   for (std::size_t i = 0; i + 1 < us.size(); ++i)
   {
     const double u = 0.5 * (us[i] + us[i + 1]);
@@ -194,7 +198,7 @@ std::vector<Point2> PointsInAllFaces(const std::vector<Polygon>& polygons, doubl
         { isClear = isClear && DistanceTo(point, p, q) > least; });
       if (isClear)
       {
-        points.push_back(point);
+        points.push_back({ point, (vs[k + 1] - vs[k]) * (us[i + 1] - us[i]) });
       }
     }
   }
@@ -223,7 +227,7 @@ double CommonLength(const Polygon& a, const Polygon& b, bool isSame)
 }
 
 std::vector<bool> FindInsidePoints(
-  LoopRule rule, const std::vector<Polygon>& polygons, const std::vector<Point2>& points)
+  LoopRule rule, const std::vector<Polygon>& polygons, const std::vector<FacePoint>& points)
 {
   if (rule == LoopRule::Union)
   {
@@ -232,15 +236,15 @@ std::vector<bool> FindInsidePoints(
     {
       sets.push_back(SurroundedPoints(polygon, points));
     }
-    return FindUnion(sets, points.size());
+    return FindUnion(sets, points);
   }
   std::vector<bool> inside;
-  for (const Point2& point : points)
+  for (const FacePoint& point : points)
   {
     int winding = 0;
     for (const Polygon& polygon : polygons)
     {
-      winding += WindingNumber(polygon, point);
+      winding += WindingNumber(polygon, point.Place);
     }
     inside.push_back(rule == LoopRule::EvenOdd ? winding % 2 != 0 : winding != 0);
   }

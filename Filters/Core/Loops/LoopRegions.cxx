@@ -6,6 +6,7 @@
 #include "Core/Base/Vectors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -14,6 +15,8 @@ namespace orthoslices
 namespace
 {
 constexpr Index None = -1;
+/// What does not count of an area: noise makes contours cross by about that.
+constexpr double LittleArea = 0.02;
 }
 
 LoopRegions::LoopRegions(const PlaneWalks& walks, const PlaneFaces& faces)
@@ -23,6 +26,7 @@ LoopRegions::LoopRegions(const PlaneWalks& walks, const PlaneFaces& faces)
   this->FindParts();
   this->SpreadWindings();
   this->AddSurrounding();
+  this->MeasureFaces();
   this->FindContainers();
   this->FindRepeated();
   this->RemoveRepeated();
@@ -47,16 +51,46 @@ void LoopRegions::FindParts()
       }
     }
   }
-  for (std::size_t walk = 0; walk < ofWalk.size(); ++walk)
+  for (const std::vector<Index>& passagesOfWalk : ofWalk)
   {
-    this->AddParts(static_cast<Index>(walk), ofWalk[walk]);
+    this->AddParts(passagesOfWalk);
   }
 }
 
-/// Groups passages that are connected.
-void LoopRegions::AddParts(Index walk, const std::vector<Index>& passages)
+/// Numbers a part: all of a walk's passages that are connected with the first one. `at` has them by
+/// nodes.
+void LoopRegions::AddPart(Index start, const std::vector<std::pair<Index, Index>>& at)
 {
-  // Of each node the passages there, and then all that can be reached from one.
+  const Index part = this->CountParts();
+  std::vector<Index> found{ start };
+  this->PartOfPassage[start] = part;
+  Index divisor = 0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    divisor = std::gcd(divisor, std::abs(this->Net[found[i]]));
+    const Index halfEdge = 2 * this->EdgeOfPassage[found[i]];
+    for (const Index node : { this->Graph.Head(halfEdge), this->Graph.Tail(halfEdge) })
+    {
+      for (auto next = std::lower_bound(at.begin(), at.end(), std::make_pair(node, Index(0)));
+           next != at.end() && next->first == node; ++next)
+      {
+        if (this->PartOfPassage[next->second] == None)
+        {
+          this->PartOfPassage[next->second] = part;
+          found.push_back(next->second);
+        }
+      }
+    }
+  }
+  this->TurnsOfPart.push_back(divisor);
+  this->WalkOfPart.push_back(this->Graph.PassageAt(start).Walk);
+  this->ComponentOfPart.push_back(
+    this->Graph.ComponentOfNode(this->Graph.Head(2 * this->EdgeOfPassage[start])));
+}
+
+/// Groups passages of one walk that are connected.
+void LoopRegions::AddParts(const std::vector<Index>& passages)
+{
   std::vector<std::pair<Index, Index>> at;
   for (const Index passage : passages)
   {
@@ -67,33 +101,10 @@ void LoopRegions::AddParts(Index walk, const std::vector<Index>& passages)
   std::sort(at.begin(), at.end());
   for (const Index start : passages)
   {
-    if (this->PartOfPassage[start] != None)
+    if (this->PartOfPassage[start] == None)
     {
-      continue;
+      this->AddPart(start, at);
     }
-    const Index part = this->CountParts();
-    this->WalkOfPart.push_back(walk);
-    std::vector<Index> found{ start };
-    this->PartOfPassage[start] = part;
-    Index divisor = 0;
-    for (std::size_t i = 0; i < found.size(); ++i)
-    {
-      divisor = std::gcd(divisor, std::abs(this->Net[found[i]]));
-      const Index halfEdge = 2 * this->EdgeOfPassage[found[i]];
-      for (const Index node : { this->Graph.Head(halfEdge), this->Graph.Tail(halfEdge) })
-      {
-        for (auto next = std::lower_bound(at.begin(), at.end(), std::make_pair(node, Index(0)));
-             next != at.end() && next->first == node; ++next)
-        {
-          if (this->PartOfPassage[next->second] == None)
-          {
-            this->PartOfPassage[next->second] = part;
-            found.push_back(next->second);
-          }
-        }
-      }
-    }
-    this->TurnsOfPart.push_back(divisor);
   }
 }
 
@@ -240,28 +251,60 @@ bool LoopRegions::Contains(Index outer, Index inner) const
   return std::binary_search(containers.begin(), containers.end(), outer);
 }
 
-/// A part is contained in those that surround all faces that it surrounds.
+void LoopRegions::MeasureFaces()
+{
+  this->AreaOfFace.assign(this->Graph.CountFaces(), 0.0);
+  const Point2 origin = this->Walks.Nodes.empty() ? Point2{} : this->Walks.Nodes[0];
+  for (Index halfEdge = 0; halfEdge < this->Graph.CountHalfEdges(); ++halfEdge)
+  {
+    const Point2 p = this->Walks.Nodes[this->Graph.Tail(halfEdge)] - origin;
+    const Point2 q = this->Walks.Nodes[this->Graph.Head(halfEdge)] - origin;
+    this->AreaOfFace[this->Graph.Face(halfEdge)] += 0.5 * Cross(p, q);
+  }
+  this->AreaOfPart.assign(this->CountParts(), 0.0);
+  for (Index face = 0; face < this->Graph.CountFaces(); ++face)
+  {
+    for (const Layer& layer : this->LayersOf[face])
+    {
+      if (this->IsAtHome(layer.Part, face))
+      {
+        this->AreaOfPart[layer.Part] += this->AreaOfFace[face];
+      }
+    }
+  }
+}
+
+/// A part is contained in those that surround all of its area but for a little; but not two parts in
+/// each other.
 void LoopRegions::FindContainers()
 {
-  const Index parts = this->CountParts();
-  this->Containers.resize(parts);
-  std::vector<std::uint8_t> isKnown(parts, 0);
-  for (const Layers& layers : this->LayersOf)
+  std::map<std::pair<Index, Index>, double> common;
+  for (Index face = 0; face < this->Graph.CountFaces(); ++face)
   {
-    std::vector<Index> here;
-    for (const Layer& layer : layers)
+    for (const Layer& inner : this->LayersOf[face])
     {
-      here.push_back(layer.Part);
+      for (const Layer& outer : this->LayersOf[face])
+      {
+        if (inner.Part != outer.Part && this->IsAtHome(inner.Part, face))
+        {
+          common[{ inner.Part, outer.Part }] += this->AreaOfFace[face];
+        }
+      }
     }
-    for (const Index part : here)
+  }
+  const auto isWithin = [&](Index inner, Index outer)
+  {
+    const auto entry = common.find({ inner, outer });
+    return entry != common.end() && entry->second >= (1.0 - LittleArea) * this->AreaOfPart[inner];
+  };
+  this->Containers.resize(this->CountParts());
+  for (const auto& entry : common)
+  {
+    const Index inner = entry.first.first;
+    const Index outer = entry.first.second;
+    if (isWithin(inner, outer) && !isWithin(outer, inner))
     {
-      std::vector<Index>& containers = this->Containers[part];
-      std::vector<Index> common;
-      const std::vector<Index>& before = isKnown[part] ? containers : here;
-      std::set_intersection(
-        before.begin(), before.end(), here.begin(), here.end(), std::back_inserter(common));
-      containers.swap(common);
-      isKnown[part] = 1;
+      this->Containers[inner].push_back(outer);
     }
   }
 }
@@ -275,8 +318,7 @@ double LoopRegions::LengthOf(Index edge) const
 void LoopRegions::FindRepeated()
 {
   const Index parts = this->CountParts();
-  this->SameAs.resize(parts);
-  std::iota(this->SameAs.begin(), this->SameAs.end(), 0);
+  this->IsRepeated.assign(parts, 0);
   std::vector<double> length(parts, 0.0);
   std::map<std::pair<Index, Index>, double> common; // of two parts, the interior on the same side
   for (Index edge = 0; edge < this->Graph.CountHalfEdges() / 2; ++edge)
@@ -310,12 +352,9 @@ void LoopRegions::FindRepeated()
   for (const auto& entry : common)
   {
     const Index part = entry.first.first;
-    const Index other = entry.first.second;
-    const bool isSame = this->Contains(other, part) && this->Contains(part, other);
-    const bool isWithin = this->Contains(other, part) && 3.0 * entry.second > 2.0 * length[part];
-    if ((isSame && other < part) || (isWithin && !isSame))
+    if (this->Contains(entry.first.second, part) && 3.0 * entry.second > 2.0 * length[part])
     {
-      this->SameAs[part] = std::min(other, isSame ? this->SameAs[part] : other);
+      this->IsRepeated[part] = 1;
     }
   }
 }
@@ -326,10 +365,9 @@ void LoopRegions::RemoveRepeated()
   for (Index part = 0; part < this->CountParts(); ++part)
   {
     std::vector<Index>& containers = this->Containers[part];
-    const auto isRepeated = [&](Index other)
-    { return this->SameAs[other] != other || this->SameAs[part] == other; };
-    containers.erase(
-      std::remove_if(containers.begin(), containers.end(), isRepeated), containers.end());
+    containers.erase(std::remove_if(containers.begin(), containers.end(),
+                       [this](Index other) { return this->IsRepeated[other] != 0; }),
+      containers.end());
   }
 }
 
@@ -338,9 +376,9 @@ std::vector<Index> LoopRegions::FindLevels() const
 {
   std::vector<Index> order(this->CountParts());
   std::iota(order.begin(), order.end(), 0);
-  // Whatever contains a container contains the part, too, so that containers come first.
+  // Containers are larger.
   std::stable_sort(order.begin(), order.end(),
-    [&](Index a, Index b) { return this->Containers[a].size() < this->Containers[b].size(); });
+    [this](Index a, Index b) { return this->AreaOfPart[a] > this->AreaOfPart[b]; });
   std::vector<Index> levels(order.size(), 0);
   for (const Index part : order)
   {
@@ -380,7 +418,7 @@ std::vector<std::uint8_t> LoopRegions::FindInside(LoopRule rule) const
     { return levels[hole] % 2 != 0 && this->Contains(outline, hole); };
     const auto isInOutline = [&](const Layer& outline)
     {
-      return levels[outline.Part] % 2 == 0 && this->SameAs[outline.Part] == outline.Part &&
+      return levels[outline.Part] % 2 == 0 && !this->IsRepeated[outline.Part] &&
         std::none_of(layers.begin(), layers.end(),
           [&](const Layer& hole) { return isHoleOf(outline.Part, hole.Part); });
     };
@@ -391,40 +429,109 @@ std::vector<std::uint8_t> LoopRegions::FindInside(LoopRule rule) const
   return inside;
 }
 
-std::vector<std::uint8_t> LoopRegions::FindInsideAsDrawn(LoopRule rule) const
+std::vector<std::uint8_t> LoopRegions::FindInsideAsDrawn(LoopRule rule, bool insideOut) const
 {
-  const std::vector<Index> sums = this->SumWindings(rule);
-  const bool isInsideOut = std::none_of(sums.begin(), sums.end(), [](Index w) { return w > 0; });
   std::vector<std::uint8_t> inside;
-  for (const Index sum : sums)
+  for (const Index sum : this->SumWindings(rule))
   {
-    const bool isIn = rule == LoopRule::EvenOdd ? (sum % 2 != 0) != isInsideOut
-      : isInsideOut                             ? sum >= 0
+    const bool isIn = rule == LoopRule::EvenOdd ? (sum % 2 != 0) != insideOut
+      : insideOut                               ? sum >= 0
                                                 : sum > 0;
     inside.push_back(isIn ? 1 : 0);
   }
   return inside;
 }
 
-std::vector<std::uint8_t> LoopRegions::FindOverlapping() const
+/// Whether all that a walk surrounds, but for a little, it surrounds once and in one direction.
+bool LoopRegions::AreWalksPlain() const
 {
-  std::vector<std::uint8_t> overlapping(this->Walks.Walks.size(), 0);
-  for (const Layers& layers : this->LayersOf)
+  std::vector<Index> parts(this->Walks.Walks.size(), 0);
+  std::vector<std::array<double, 2>> once(parts.size(), { 0.0, 0.0 });
+  std::vector<double> all(parts.size(), 0.0);
+  for (Index part = 0; part < this->CountParts(); ++part)
   {
+    const Index walk = this->WalkOfPart[part];
+    parts[walk] += this->AreaOfPart[part] > 0.0 ? 1 : 0;
+    all[walk] += this->AreaOfPart[part];
+  }
+  for (Index face = 0; face < this->Graph.CountFaces(); ++face)
+  {
+    for (const Layer& layer : this->LayersOf[face])
+    {
+      if (std::abs(layer.Winding) == 1 && this->IsAtHome(layer.Part, face))
+      {
+        once[this->WalkOfPart[layer.Part]][layer.Winding > 0] += this->AreaOfFace[face];
+      }
+    }
+  }
+  for (std::size_t walk = 0; walk < parts.size(); ++walk)
+  {
+    const double main = std::max(once[walk][0], once[walk][1]);
+    if (parts[walk] > 1 || all[walk] - main > LittleArea * main)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether no walks run along each other for more than a little.
+bool LoopRegions::AreWalksApart() const
+{
+  std::vector<double> length(this->Walks.Walks.size(), 0.0), common(length);
+  for (Index edge = 0; edge < this->Graph.CountHalfEdges() / 2; ++edge)
+  {
+    const Index first = this->Graph.FirstPassage(edge), end = this->Graph.EndOfPassages(edge);
+    for (Index i = first; i < end; ++i)
+    {
+      const Index walk = this->Graph.PassageAt(i).Walk;
+      length[walk] += this->LengthOf(edge);
+      common[walk] += end - first > 1 ? this->LengthOf(edge) : 0.0;
+    }
+  }
+  for (std::size_t walk = 0; walk < length.size(); ++walk)
+  {
+    if (common[walk] > LittleArea * length[walk])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool LoopRegions::AreMeetingsSlight() const
+{
+  if (!this->AreWalksPlain() || !this->AreWalksApart())
+  {
+    return false;
+  }
+  std::map<std::pair<Index, Index>, double> common;
+  for (Index face = 0; face < this->Graph.CountFaces(); ++face)
+  {
+    const Layers& layers = this->LayersOf[face];
     for (std::size_t i = 0; i < layers.size(); ++i)
     {
-      for (std::size_t j = i + 1; j < layers.size(); ++j)
+      for (std::size_t j = 0; j < i && this->IsAtHome(layers[i].Part, face); ++j)
       {
-        const Index a = this->SameAs[layers[i].Part];
-        const Index b = this->SameAs[layers[j].Part];
-        if (a != b && !this->Contains(a, b) && !this->Contains(b, a))
+        if (this->IsAtHome(layers[j].Part, face))
         {
-          overlapping[this->WalkOfPart[layers[i].Part]] = 1;
-          overlapping[this->WalkOfPart[layers[j].Part]] = 1;
+          common[{ layers[j].Part, layers[i].Part }] += this->AreaOfFace[face];
         }
       }
     }
   }
-  return overlapping;
+  for (const auto& entry : common)
+  {
+    const double a = this->AreaOfPart[entry.first.first];
+    const double b = this->AreaOfPart[entry.first.second];
+    const double little = LittleArea * std::min(a, b);
+    const bool isIn = a - entry.second <= little || b - entry.second <= little;
+    const bool isSame = a - entry.second <= little && b - entry.second <= little;
+    if (entry.second > little && (!isIn || isSame))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 }

@@ -33,10 +33,11 @@ public:
   /**
    * Which faces are inside, 1 or 0.
    *
-   * Union: a part surrounds what its winding number is not zero for. One that is surrounded by no
-   * other part, but for those that surround the same, is an outline; one within outlines is a hole,
-   * one within holes an outline again, and so on. Inside is what an outline surrounds, but for its holes.
-   * A part is no hole of another one that it shares more than two thirds of its length with, the
+   * Union: a part surrounds what its winding number is not zero for. One that no other part surrounds
+   * is an outline; one within outlines is a hole, one within holes an outline again, and so on. Inside
+   * is what an outline surrounds, but for its holes. A part is within another one if that surrounds
+   * 98 % of its area, so that noise on a thin wall does not fill holes; two parts of which each
+   * surrounds that much of the other one are alike. A part is no hole of another one that it shares more than two thirds of its length with, the
    * interior on the same side: there is no wall in between, so that it is the same once more.
    *
    * EvenOdd, NonZero: by the sum of all winding numbers.
@@ -44,17 +45,16 @@ public:
   std::vector<std::uint8_t> FindInside(LoopRule rule) const;
 
   /// The same with the interior on the left of loops as they are drawn: inside is what the sum of all
-  /// winding numbers is positive for; if that is nothing, all for which it is not negative.
-  std::vector<std::uint8_t> FindInsideAsDrawn(LoopRule rule) const;
+  /// winding numbers is positive for. Where loops bound the outside, as `insideOut` says of all slices
+  /// together, it is what the sum is not negative for. EvenOdd: as above, or all the rest.
+  std::vector<std::uint8_t> FindInsideAsDrawn(LoopRule rule, bool insideOut) const;
 
-  Index CountParts() const { return static_cast<Index>(this->WalkOfPart.size()); }
-  /// Which walk each part is from, ascending.
-  const std::vector<Index>& GetWalks() const { return this->WalkOfPart; }
-  /// Of each part: the one that it repeats, as above, or the first part that surrounds the same;
-  /// mostly itself.
-  const std::vector<Index>& GetSame() const { return this->SameAs; }
-  /// Of each walk: whether it surrounds something together with another one, neither all of it.
-  std::vector<std::uint8_t> FindOverlapping() const;
+  /**
+   * Whether loops meet as noise makes them meet: at most 2 % of what a loop surrounds is in lobes or
+   * surrounded several times, no loop has several parts, and of two loops, at most 2 % of the smaller
+   * one is common to both, or in only one of them; no more of a loop's length is on another one.
+   */
+  bool AreMeetingsSlight() const;
 
 private:
   struct Layer
@@ -64,23 +64,32 @@ private:
   };
   using Layers = std::vector<Layer>; ///< ascending by part
 
+  Index CountParts() const { return static_cast<Index>(this->TurnsOfPart.size()); }
   void FindParts();
-  void AddParts(Index walk, const std::vector<Index>& passages);
+  void AddParts(const std::vector<Index>& passages);
+  void AddPart(Index start, const std::vector<std::pair<Index, Index>>& at);
   void SpreadWindings();
   Layers Step(const Layers& layers, Index halfEdge) const;
   void AddSurrounding();
   Layers WindingsAt(Index node, Index component) const;
+  void MeasureFaces();
+  bool AreWalksPlain() const;
+  bool AreWalksApart() const;
   void FindContainers();
   void FindRepeated();
   void RemoveRepeated();
   double LengthOf(Index edge) const;
   bool Contains(Index outer, Index inner) const;
+  /// Whether a part is of the component that the face is of.
+  bool IsAtHome(Index part, Index face) const
+  {
+    return this->ComponentOfPart[part] == this->Graph.Component(face);
+  }
   std::vector<Index> FindLevels() const;
   std::vector<Index> SumWindings(LoopRule rule) const;
 
   const PlaneWalks& Walks;
   const PlaneFaces& Graph;
-  std::vector<Index> WalkOfPart;
   std::vector<Index> TurnsOfPart;   ///< greatest common divisor of its winding numbers
   std::vector<Index> PartOfPassage; ///< -1 on bridges
   std::vector<Index> Net;           ///< of each passage
@@ -88,7 +97,10 @@ private:
   std::vector<std::vector<Index>> EdgesOf;    ///< of each component
   std::vector<Layers> LayersOf;               ///< of each face
   std::vector<std::vector<Index>> Containers; ///< of each part: the others that surround all of it
-  std::vector<Index> SameAs;
+  std::vector<std::uint8_t> IsRepeated;       ///< of each part: it is part of another one's border
+  std::vector<Index> WalkOfPart, ComponentOfPart;
+  std::vector<double> AreaOfFace; ///< without regard to other components; of outer faces negative
+  std::vector<double> AreaOfPart; ///< of what it surrounds
 };
 }
 

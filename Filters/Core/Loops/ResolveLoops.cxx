@@ -7,6 +7,7 @@
 #include "Core/Base/Vectors.h"
 #include "Core/Loops/LoopMeetings.h"
 #include "Core/Loops/TraceRegion.h"
+#include "Core/Slices/OrientContours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,14 @@ namespace
 /// Loops that are thinner (twice their area by their length), as a share of the extent of their slice,
 /// are what rounding leaves between contours that should run along each other.
 constexpr double LeastThickness = 1e-4;
+
+/// Where the interior is.
+enum class LoopSide
+{
+  Surrounded, ///< whatever the directions of the loops are
+  Left,       ///< of the loops as drawn
+  InsideOut   ///< the same, where all loops together run clockwise: they bound the outside
+};
 
 /// What becomes of the contours of one slice.
 struct ResolvedSlice
@@ -37,7 +46,7 @@ public:
   {
   }
 
-  ResolvedSlice Run(LoopRule rule, bool asDrawn);
+  ResolvedSlice Run(LoopRule rule, LoopSide side);
 
 private:
   std::vector<std::vector<Point2>> ReadPolygons() const;
@@ -45,6 +54,7 @@ private:
   void AddLoops(const PlaneFaces& faces, std::vector<TracedLoop>& loops);
   void AddLoop(Index contour, const std::vector<Point2>& points);
   bool IsThin(const std::vector<Point2>& points) const;
+  void ReportSlight(const std::vector<LoopMeeting>& meetings);
   void ReportMeetings(const std::vector<LoopMeeting>& meetings);
   void ReportWalks(
     const PlaneWalks& walks, const PlaneFaces& faces, const std::vector<LoopMeeting>& meetings);
@@ -180,6 +190,17 @@ void SliceResolver::ReportMeetings(const std::vector<LoopMeeting>& meetings)
   }
 }
 
+/// Of the contours that cross themselves, and of pairs that cross, each later one.
+void SliceResolver::ReportSlight(const std::vector<LoopMeeting>& meetings)
+{
+  for (const LoopMeeting& meeting : meetings)
+  {
+    const bool isOne = meeting.Contour == meeting.Other;
+    this->Report(isOne ? ProblemKind::CrossesItself : ProblemKind::CrossesOther, meeting.Other,
+      meeting.Where, 0.0, false);
+  }
+}
+
 /// Walks that meet themselves: with bridges, or without.
 void SliceResolver::ReportWalks(
   const PlaneWalks& walks, const PlaneFaces& faces, const std::vector<LoopMeeting>& meetings)
@@ -209,7 +230,7 @@ void SliceResolver::ReportWalks(
   }
 }
 
-ResolvedSlice SliceResolver::Run(LoopRule rule, bool asDrawn)
+ResolvedSlice SliceResolver::Run(LoopRule rule, LoopSide side)
 {
   const std::vector<LoopMeeting> meetings = FindLoopMeetings(this->Set, this->Members);
   const bool isNested = rule == LoopRule::NonZero && this->Members.size() > 1;
@@ -231,8 +252,14 @@ ResolvedSlice SliceResolver::Run(LoopRule rule, bool asDrawn)
   }
   const PlaneFaces faces(walks);
   const LoopRegions regions(walks, faces);
-  std::vector<TracedLoop> loops =
-    TraceRegion(walks, faces, asDrawn ? regions.FindInsideAsDrawn(rule) : regions.FindInside(rule));
+  if (rule == LoopRule::Union && regions.AreMeetingsSlight())
+  {
+    this->ReportSlight(meetings);
+    return std::move(this->Result);
+  }
+  std::vector<TracedLoop> loops = TraceRegion(walks, faces,
+    side == LoopSide::Surrounded ? regions.FindInside(rule)
+                                 : regions.FindInsideAsDrawn(rule, side == LoopSide::InsideOut));
   this->FindLoneWalks(walks, faces);
   this->AddLoops(faces, loops);
   this->ReportMeetings(meetings);
@@ -246,6 +273,9 @@ Index ResolveLoops(LoopRule rule, bool asDrawn, const Execution& execution, Cont
   std::vector<Problem>& mended)
 {
   const std::vector<std::vector<Index>> slices = GroupBySlice(contours);
+  const LoopSide side = !asDrawn ? LoopSide::Surrounded
+    : BoundOutside(contours)     ? LoopSide::InsideOut
+                                 : LoopSide::Left;
   std::vector<ResolvedSlice> resolved(slices.size());
   execution.For(slices.size(),
     [&](std::size_t begin, std::size_t end)
@@ -255,7 +285,7 @@ Index ResolveLoops(LoopRule rule, bool asDrawn, const Execution& execution, Cont
         std::vector<Index> members;
         std::copy_if(slices[i].begin(), slices[i].end(), std::back_inserter(members),
           [&](Index contour) { return !contours.IsVirtual(contour); });
-        resolved[i] = SliceResolver(contours, members).Run(rule, asDrawn);
+        resolved[i] = SliceResolver(contours, members).Run(rule, side);
       }
     });
   std::vector<std::uint8_t> isReplaced(contours.Count(), 0);

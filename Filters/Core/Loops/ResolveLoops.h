@@ -19,7 +19,9 @@ namespace orthoslices
  * keeps its vertices. What the rule leaves between loops and is thinner than 1e-4 of the slice's
  * extent is left out. Where two loops or lobes meet in a point, their corners there are cut off by a little.
  *
- * Slices without such meetings are not changed; contours that touch in points may stay. With NonZero,
+ * Slices without such meetings are not changed; contours that touch in points may stay. With Union, nor
+ * are slices where contours meet by noise only (LoopRegions::AreMeetingsSlight), which is reported:
+ * there, EmbedArcs and EmbedIsolated take them apart, so that a crossing by a little leaves no crumbs. With NonZero,
  * slices of several contours are always resolved: there, the direction of holes counts.
  *
  * `asDrawn`: the interior is on the left of contours as they are drawn; see LoopRegions. Else

@@ -100,7 +100,7 @@ void ExpectRegion(
   const std::vector<Polygon>& input, LoopRule rule, const std::vector<Polygon>& loops)
 {
   EXPECT_TRUE(AreDisjointAndSimple(loops));
-  const std::vector<Point2> points = PointsInAllFaces(input, 1e-6);
+  const std::vector<FacePoint> points = PointsInAllFaces(input, 1e-6);
   const std::vector<bool> inside = FindInsidePoints(rule, input, points);
   for (std::size_t k = 0; k < points.size(); ++k)
   {
@@ -108,15 +108,15 @@ void ExpectRegion(
     bool isNearCut = false;
     for (const Polygon& loop : loops)
     {
-      winding += WindingNumber(loop, points[k]);
+      winding += WindingNumber(loop, points[k].Place);
       for (const Point2& corner : loop)
       {
-        isNearCut = isNearCut || Distance(corner, points[k]) < 0.03;
+        isNearCut = isNearCut || Distance(corner, points[k].Place) < 0.03;
       }
     }
     if (!isNearCut)
     {
-      ASSERT_EQ(winding, inside[k] ? 1 : 0) << points[k][0] << " " << points[k][1];
+      ASSERT_EQ(winding, inside[k] ? 1 : 0) << points[k].Place[0] << " " << points[k].Place[1];
     }
   }
 }
