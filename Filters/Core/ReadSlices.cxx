@@ -5,6 +5,7 @@
 #include "Core/Base/EditContours.h"
 #include "Core/Loops/RedrawnContours.h"
 #include "Core/Loops/ResolveLoops.h"
+#include "Core/Loops/WeldBridges.h"
 #include "Core/Slices/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
 #include "Core/Sparse/MissingContours.h"
@@ -80,9 +81,12 @@ Index SettleLoops(Pass& pass)
   const bool asDrawn = options.Orient == Orientation::AsDrawn;
   RemoveRedrawn(options.RedrawnShare, asDrawn || options.Loops == LoopRule::NonZero, pass.Execute,
     contours, mended);
-  return options.Crossing == CrossingContours::Repair
-    ? ResolveLoops(options.Loops, asDrawn, pass.Execute, contours, mended)
-    : contours.Count();
+  if (options.Crossing != CrossingContours::Repair)
+  {
+    return contours.Count();
+  }
+  WeldBridges(options.RedrawnShare, pass.Execute, contours);
+  return ResolveLoops(options.Loops, asDrawn, pass.Execute, contours, mended);
 }
 
 /// The spatial grid, and the interior on the left of each contour (sections 3 and 4).

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Loops/ResolveLoops.h"
+#include "Core/Loops/WeldBridges.h"
 
 #include "Core/Base/Predicates.h"
 #include "Core/Base/Vectors.h"
@@ -210,6 +211,56 @@ TEST(ResolveLoops, KeyholesBecomeOutlineAndHole)
                                "9,4 6,4 6,6 3,6 3,4 0,4");
   EXPECT_EQ(two.Loops.size(), 3u);
   EXPECT_EQ(two.Area(), 162.0);
+}
+
+//----------------------------------------------------------------------------
+TEST(ResolveLoops, BridgesWithALittleSpaceBetweenTheirSidesAreTakenOut)
+{
+  const auto weld = [](const std::string& text)
+  {
+    Contours contours = ParseContours(text);
+    BuildSpatialGrid(contours, 0.0);
+    WeldBridges(0.05, Execution(), contours);
+    return Resolve(contours);
+  };
+  for (const char* text : { "z=0: 0,0 20,0 20,9.9 14,9.9 14,6 6,6 6,14 14,14 14,10 20,10 20,20 0,20",
+         "z=0: 0,20 20,20 20,10 14,10 14,14 6,14 6,6 14,6 14,9.9 20,9.9 20,0 0,0",
+         "z=0: 0,0 20,0 20,9.9 13.5,10 14,6 6,6 6,14 14,14 14,10.1 20,10 20,20 0,20" })
+  {
+    SCOPED_TRACE(text);
+    const Resolved keyhole = weld(text);
+    ASSERT_EQ(keyhole.Loops.size(), 2u);
+    EXPECT_NEAR(keyhole.Area(), 400.0 - 64.0, 2.0);
+    EXPECT_EQ(keyhole.Count(ProblemKind::BridgeRemoved), 1);
+  }
+  // A slot that leads nowhere, a hole with a wide mouth.
+  for (const char* text : { "z=0: 0,0 20,0 20,9.9 6,9.9 6,10 20,10 20,20 0,20",
+         "z=0: 0,0 20,0 20,9 14,9 14,6 6,6 6,14 14,14 14,10 20,10 20,20 0,20" })
+  {
+    SCOPED_TRACE(text);
+    EXPECT_EQ(weld(text).Loops.size(), 1u);
+    EXPECT_TRUE(weld(text).Mended.empty());
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ResolveLoops, NoiseThatMakesContoursCrossALittleIsLeftAlone)
+{
+  // A curl, a hole that pokes out, two contours that overlap by a little.
+  for (const char* text : { "z=0: 0,0 9,0 9,4 9.2,4.3 9.2,4 9,4.3 9,9 0,9",
+         "z=0: 0,0 9,0 9,9 0,9; z=0: 3,0.5 3.2,-0.1 3.4,0.5 6,0.5 6,6 3,6",
+         "z=0: 0,0 9,0 9,9 0,9; z=0: 8.9,4 9.3,3 15,3 15,6 9.3,5" })
+  {
+    SCOPED_TRACE(text);
+    const Resolved result = Resolve(text);
+    EXPECT_EQ(result.First, ParseContours(text).Count());
+    ASSERT_EQ(result.Mended.size(), 1u);
+    EXPECT_LE(result.Mended[0].Kind, ProblemKind::CrossesOther);
+  }
+  // With a real overlap on the slice the hole stays one.
+  EXPECT_NEAR(Resolve("z=0: 0,0 9,0 9,9 0,9; z=0: 3,0.5 3.2,-0.1 3.4,0.5 6,0.5 6,6 3,6; z=0: 8,1 12,1 12,8 8,8")
+                .Area(),
+    81.0 - 16.6 + 21.0, 0.2);
 }
 
 //----------------------------------------------------------------------------
