@@ -17,6 +17,8 @@ namespace
 constexpr Index None = -1;
 /// What does not count of an area: noise makes contours cross by about that.
 constexpr double LittleArea = 0.02;
+/// What noise leaves in all lobes of a contour together, by its area without them, is less than that.
+constexpr double MostInLobes = 0.25;
 }
 
 LoopRegions::LoopRegions(const PlaneWalks& walks, const PlaneFaces& faces)
@@ -442,37 +444,45 @@ std::vector<std::uint8_t> LoopRegions::FindInsideAsDrawn(LoopRule rule, bool ins
   return inside;
 }
 
-/// Whether all that a walk surrounds, but for a little, it surrounds once and in one direction.
+/// Whether a walk surrounds most once and in one direction, and the rest in little lobes.
 bool LoopRegions::AreWalksPlain() const
 {
-  std::vector<Index> parts(this->Walks.Walks.size(), 0);
-  std::vector<std::array<double, 2>> once(parts.size(), { 0.0, 0.0 });
-  std::vector<double> all(parts.size(), 0.0);
+  struct Sums
+  {
+    Index Parts = 0;
+    double All = 0.0;
+    std::array<double, 2> Once{}; ///< clockwise and counter-clockwise
+    std::array<double, 2> Lobe{}; ///< the largest face that is not surrounded once so
+  };
+  std::vector<Sums> sums(this->Walks.Walks.size());
   for (Index part = 0; part < this->CountParts(); ++part)
   {
-    const Index walk = this->WalkOfPart[part];
-    parts[walk] += this->AreaOfPart[part] > 0.0 ? 1 : 0;
-    all[walk] += this->AreaOfPart[part];
+    Sums& sum = sums[this->WalkOfPart[part]];
+    sum.Parts += this->AreaOfPart[part] > 0.0 ? 1 : 0;
+    sum.All += this->AreaOfPart[part];
   }
   for (Index face = 0; face < this->Graph.CountFaces(); ++face)
   {
+    const double area = this->AreaOfFace[face];
     for (const Layer& layer : this->LayersOf[face])
     {
-      if (std::abs(layer.Winding) == 1 && this->IsAtHome(layer.Part, face))
+      Sums& sum = sums[this->WalkOfPart[layer.Part]];
+      for (const int turn : { 0, 1 })
       {
-        once[this->WalkOfPart[layer.Part]][layer.Winding > 0] += this->AreaOfFace[face];
+        const bool isOnce = layer.Winding == 2 * turn - 1;
+        const bool isAtHome = this->IsAtHome(layer.Part, face);
+        sum.Once[turn] += isAtHome && isOnce ? area : 0.0;
+        sum.Lobe[turn] = std::max(sum.Lobe[turn], isAtHome && !isOnce ? area : 0.0);
       }
     }
   }
-  for (std::size_t walk = 0; walk < parts.size(); ++walk)
-  {
-    const double main = std::max(once[walk][0], once[walk][1]);
-    if (parts[walk] > 1 || all[walk] - main > LittleArea * main)
+  return std::all_of(sums.begin(), sums.end(),
+    [](const Sums& sum)
     {
-      return false;
-    }
-  }
-  return true;
+      const int main = sum.Once[1] >= sum.Once[0] ? 1 : 0;
+      return sum.Parts < 2 && sum.Lobe[main] <= LittleArea * sum.Once[main] &&
+        sum.All <= (1.0 + MostInLobes) * sum.Once[main];
+    });
 }
 
 /// Whether no walks run along each other for more than a little.

@@ -50,9 +50,10 @@ public:
   std::vector<std::uint8_t> FindInsideAsDrawn(LoopRule rule, bool insideOut) const;
 
   /**
-   * Whether loops meet as noise makes them meet: at most 2 % of what a loop surrounds is in lobes or
-   * surrounded several times, no loop has several parts, and of two loops, at most 2 % of the smaller
-   * one is common to both, or in only one of them; no more of a loop's length is on another one.
+   * Whether loops meet as noise makes them meet. What a loop surrounds several times or in the other
+   * direction than most is in faces of at most 2 % of the rest, and less than a quarter of it in all;
+   * no loop has several parts. Of two loops at most 2 % of the smaller one is common to both, or in
+   * only one of them, and no more of a loop's length is on another one.
    */
   bool AreMeetingsSlight() const;
 
