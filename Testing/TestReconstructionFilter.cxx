@@ -108,12 +108,12 @@ PieceSets Stomach() { return ReadPieceSets({ "lbl_stomach", 1, 0, false }, 32); 
 }
 
 //----------------------------------------------------------------------------
-TEST(ReconstructionFilter, HasThreeOptionalInputsAndSevenOutputs)
+TEST(ReconstructionFilter, HasFourOptionalInputsAndSevenOutputs)
 {
   vtkNew<vtkOrthogonalSliceReconstruction> filter;
-  EXPECT_EQ(filter->GetNumberOfInputPorts(), 3);
+  EXPECT_EQ(filter->GetNumberOfInputPorts(), 4);
   EXPECT_EQ(filter->GetNumberOfOutputPorts(), 7);
-  for (int port = 0; port < 3; ++port)
+  for (int port = 0; port < 4; ++port)
   {
     vtkInformation* info = filter->GetInputPortInformation(port);
     EXPECT_STREQ(info->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE()), "vtkPolyData");
@@ -183,6 +183,14 @@ TEST(ReconstructionFilter, EverySetterChangesTheTimeOnlyIfTheValueChanges)
     [&] { filter->SetLoopRuleToNonZero(); },
     [&] { filter->SetRedrawnTolerance(0.0); },
     [&] { filter->SetCentralPointToCentroid(); },
+    [&] { filter->SetFrameToGiven(); },
+    [&] { filter->SetFrameToWorld(); },
+    [&] { filter->SetFrameToAutomatic(); },
+    [&]
+    {
+      const double normals[9] = { 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0 };
+      filter->SetFrameNormals(normals);
+    },
     [&] { filter->SetAxisWeights(1.0, 2.0, 1.0); },
     [&] { filter->SetReportTolerance(0.01); },
     [&] { filter->ComputeNormalsOff(); },
@@ -209,7 +217,8 @@ TEST(ReconstructionFilter, PrintsEveryProperty)
   filter->Print(text);
   for (const char* name : { "PlaneTolerance: 1e-05", "Orientation: ", "InvalidContours: LeaveOut",
          "BorderContours: CloseAlongBorder", "CrossingContours: ", "LoopRule: Union",
-         "RedrawnTolerance: 0.05", "CentralPoint: ", "AxisWeights: 1 1 1", "ReportTolerance: 0.001",
+         "RedrawnTolerance: 0.05", "Frame: Automatic", "FrameNormals: 1 0 0 0 1 0 0 0 1",
+         "CentralPoint: ", "AxisWeights: 1 1 1", "ReportTolerance: 0.001",
          "ComputeNormals: ", "OutputPointsPrecision: " })
   {
     EXPECT_TRUE(Contains(text.str(), name)) << name;
@@ -217,26 +226,26 @@ TEST(ReconstructionFilter, PrintsEveryProperty)
 }
 
 //----------------------------------------------------------------------------
-TEST(ReconstructionFilter, EmptyPortIsAnErrorThatNamesIt)
+TEST(ReconstructionFilter, EmptyPortIsAnAbsentOne)
 {
   for (int port = 0; port < 3; ++port)
   {
     SCOPED_TRACE(port);
-    TextRun run{ Cube() };
+    TextRun run{ Cube() }, without{ Cube() };
     vtkNew<vtkPolyData> empty;
     run.Filter->SetInputData(port, empty);
-    run.Update();
-    ASSERT_GE(run.Errors.size(), 1u);
-    EXPECT_TRUE(Contains(run.Errors[0], "Port " + std::to_string(port))) << run.Errors[0];
-    EXPECT_TRUE(Contains(run.Errors[0], std::string(1, "xyz"[port]) + "-slices"));
-    ExpectEmptyOutputs(run.Filter);
+    without.Filter->SetInputConnection(port, nullptr);
+    const vtkIdType cells = run.Update()->GetNumberOfCells();
+    EXPECT_TRUE(run.Errors.empty());
+    EXPECT_GT(cells, 0);
+    EXPECT_EQ(cells, without.Update()->GetNumberOfCells());
   }
 }
 
 //----------------------------------------------------------------------------
 TEST(ReconstructionFilter, PointsWithoutLinesAreNoContours)
 {
-  TextRun run{ Cube() };
+  FilterRun run;
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0, 0, 1);
   const vtkIdType id = 0;
@@ -248,7 +257,8 @@ TEST(ReconstructionFilter, PointsWithoutLinesAreNoContours)
   run.Filter->SetInputData(2, data);
   run.Update();
   ASSERT_GE(run.Errors.size(), 1u);
-  EXPECT_TRUE(Contains(run.Errors[0], "Port 2")) << run.Errors[0];
+  EXPECT_TRUE(Contains(run.Errors[0], "no contours")) << run.Errors[0];
+  ExpectEmptyOutputs(run.Filter);
 }
 
 //----------------------------------------------------------------------------
@@ -360,7 +370,7 @@ TEST(ReconstructionFilter, ConnectsFamiliesByNumber)
   FilterRun run;
   vtkNew<vtkTrivialProducer> producer;
   producer->SetOutput(vtkNew<vtkPolyData>());
-  for (const int family : { 1, 2, 3 })
+  for (const int family : { 1, 2, 3, 4 })
   {
     run.Filter->SetFamilyConnection(family, producer->GetOutputPort());
     EXPECT_EQ(run.Filter->GetInputConnection(family - 1, 0), producer->GetOutputPort());
@@ -369,7 +379,7 @@ TEST(ReconstructionFilter, ConnectsFamiliesByNumber)
     EXPECT_EQ(run.Filter->GetTotalNumberOfInputConnections(), 0);
   }
   EXPECT_TRUE(run.Errors.empty());
-  for (const int family : { -1, 0, 4 })
+  for (const int family : { -1, 0, 5 })
   {
     run.Filter->SetFamilyConnection(family, producer->GetOutputPort());
     EXPECT_EQ(run.Filter->GetTotalNumberOfInputConnections(), 0);
@@ -394,6 +404,63 @@ TEST(ReconstructionFilter, LeavesOutUnusableContoursWithOneWarning)
   const SurfaceCheck check = CheckSurface(MeshOf(surface));
   EXPECT_TRUE(check.IsClosedManifold()) << check;
   EXPECT_EQ(FieldValue(surface, "NumberOfContours"), 6);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, MendsContoursWithOneWarningAndATable)
+{
+  // A segment that joins nothing, a flat loop, and one that is not finite.
+  TextRun run{ Cube() + "y=1.5 open: 3,4 8,9; z=1: 5,5 6,6 8,8; x=1: 0.6,0.6 nan,1 1,1" };
+  vtkPolyData* surface = run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  ASSERT_EQ(run.Warnings.size(), 1u);
+  for (const char* part : { "mended", "1 contour of one or two points", "1 contour without area",
+         "not finite", "port 0 (x-slices), cell 2", "port 1 (y-slices), cell 2", "(5, 5, 1)" })
+  {
+    EXPECT_TRUE(Contains(run.Warnings[0], part)) << run.Warnings[0];
+  }
+  const SurfaceCheck check = CheckSurface(MeshOf(surface));
+  EXPECT_TRUE(check.IsClosedManifold()) << check;
+  EXPECT_EQ(FieldValue(surface, "NumberOfContours"), 6);
+  vtkTable* table = run.Filter->GetProblemTable();
+  ASSERT_EQ(table, run.Filter->GetOutputDataObject(6));
+  ASSERT_EQ(table->GetNumberOfRows(), 3);
+  for (vtkIdType row = 0; row < 3; ++row)
+  {
+    EXPECT_EQ(table->GetValueByName(row, "LeftOut").ToInt(), 1);
+    EXPECT_EQ(table->GetValueByName(row, "Cell").ToInt(), 2);
+  }
+  // What is left of it says the same as the cube alone.
+  TextRun alone{ Cube() };
+  EXPECT_EQ(alone.Update()->GetNumberOfPoints(), surface->GetNumberOfPoints());
+  EXPECT_EQ(alone.Filter->GetProblemTable()->GetNumberOfRows(), 0);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, ContoursThatEndAtTheBorderAreClosedOrRefused)
+{
+  // A square bar that the image cuts off at x = 3.
+  const std::string text =
+    "y=1 open: 1,3 1,0 2,0 2,3; y=2 open: 1,3 1,0 2,0 2,3\n"
+    "z=1.2 open: 3,0.5 0,0.5 0,2.5 3,2.5; z=1.8 open: 3,2.5 0,2.5 0,0.5 3,0.5\n"
+    "x=1: 0.5,1 2.5,1 2.5,2 0.5,2; x=2: 0.5,1 2.5,1 2.5,2 0.5,2";
+  TextRun run{ text };
+  vtkPolyData* surface = run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  ASSERT_EQ(run.Warnings.size(), 1u);
+  EXPECT_TRUE(Contains(run.Warnings[0], "4 contours that end at the border of the image"))
+    << run.Warnings[0];
+  EXPECT_TRUE(CheckSurface(MeshOf(surface)).IsClosedManifold());
+  double bounds[6];
+  surface->GetBounds(bounds);
+  EXPECT_GE(bounds[1], 3.0);
+  EXPECT_LE(bounds[1], 3.02) << "nothing beyond the border but two hundredths of a spacing";
+  EXPECT_EQ(run.Filter->GetProblemTable()->GetNumberOfRows(), 4);
+  TextRun refused{ text };
+  refused.Filter->SetBorderContoursToRefuse();
+  refused.Update();
+  ASSERT_GE(refused.Errors.size(), 1u);
+  EXPECT_TRUE(Contains(refused.Errors[0], "is open")) << refused.Errors[0];
 }
 
 //----------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesSpatialGrid_h
 #define OrthoSlicesSpatialGrid_h
 
+#include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 
 #include <algorithm>
@@ -241,6 +242,10 @@ private:
  * contours are; otherwise these have no say in its coordinate. Sets the bounds of the surface.
  */
 SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePrecision = false);
+
+/// Narrows the bounds of the surface to the border of the image, but for as much room beyond it as keeps
+/// contours of virtual planes on it. REQUIRES: no contour lies beyond the border.
+void LimitBounds(const Box3& border, SpatialGrid& grid);
 }
 
 #endif
