@@ -141,6 +141,8 @@ TEST(ReconstructionFilter, DefaultsAndRanges)
   EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::MEND);
   EXPECT_EQ(filter->GetBorderContours(), vtkOrthogonalSliceReconstruction::CLOSE_ALONG_BORDER);
   EXPECT_EQ(filter->GetCrossingContours(), vtkOrthogonalSliceReconstruction::REPAIR_CROSSING);
+  EXPECT_EQ(filter->GetLoopRule(), vtkOrthogonalSliceReconstruction::UNION);
+  EXPECT_EQ(filter->GetRedrawnTolerance(), 0.05);
   EXPECT_EQ(filter->GetCentralPoint(), vtkOrthogonalSliceReconstruction::LEAST_SQUARES);
   EXPECT_TRUE(filter->GetComputeNormals());
   EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
@@ -156,6 +158,10 @@ TEST(ReconstructionFilter, DefaultsAndRanges)
   EXPECT_EQ(filter->GetBorderContours(), vtkOrthogonalSliceReconstruction::REFUSE_AT_BORDER);
   filter->SetCrossingContours(9);
   EXPECT_EQ(filter->GetCrossingContours(), vtkOrthogonalSliceReconstruction::LEAVE_OUT_CROSSING);
+  filter->SetLoopRule(9);
+  EXPECT_EQ(filter->GetLoopRule(), vtkOrthogonalSliceReconstruction::NON_ZERO);
+  filter->SetRedrawnTolerance(2.0);
+  EXPECT_EQ(filter->GetRedrawnTolerance(), 0.5);
   filter->SetCentralPoint(-3);
   EXPECT_EQ(filter->GetCentralPoint(), vtkOrthogonalSliceReconstruction::LEAST_SQUARES);
 }
@@ -175,6 +181,9 @@ TEST(ReconstructionFilter, EverySetterChangesTheTimeOnlyIfTheValueChanges)
     [&] { filter->SetBorderContoursToCloseAlongBorder(); },
     [&] { filter->SetCrossingContoursToRefuse(); },
     [&] { filter->SetCrossingContoursToLeaveOut(); },
+    [&] { filter->SetLoopRuleToEvenOdd(); },
+    [&] { filter->SetLoopRuleToNonZero(); },
+    [&] { filter->SetRedrawnTolerance(0.0); },
     [&] { filter->SetCentralPointToCentroid(); },
     [&] { filter->SetFrameToGiven(); },
     [&] { filter->SetFrameToWorld(); },
@@ -209,8 +218,9 @@ TEST(ReconstructionFilter, PrintsEveryProperty)
   std::ostringstream text;
   filter->Print(text);
   for (const char* name : { "PlaneTolerance: 1e-05", "Orientation: ", "InvalidContours: LeaveOut",
-         "BorderContours: CloseAlongBorder",
-         "CrossingContours: ", "Frame: Automatic", "FrameNormals: 1 0 0 0 1 0 0 0 1", "CentralPoint: ", "AxisWeights: 1 1 1", "ReportTolerance: 0.001",
+         "BorderContours: CloseAlongBorder", "CrossingContours: ", "LoopRule: Union",
+         "RedrawnTolerance: 0.05", "Frame: Automatic", "FrameNormals: 1 0 0 0 1 0 0 0 1",
+         "CentralPoint: ", "AxisWeights: 1 1 1", "ReportTolerance: 0.001",
          "ComputeNormals: ", "OutputPointsPrecision: " })
   {
     EXPECT_TRUE(Contains(text.str(), name)) << name;
@@ -501,16 +511,17 @@ TEST(ReconstructionFilter, ContoursThatEndAtTheBorderAreClosedOrRefused)
 TEST(ReconstructionFilter, RepairsCrossingContoursWithOneWarning)
 {
   // A second square of the same slice crosses the first one; then a contour that crosses itself.
-  for (const char* more :
-    { "z=1: 2,2 2.8,2 2.8,2.8 2,2.8", "z=1.5: 0.5,0.5 2.5,2.5 2.5,0.5 0.5,2.5" })
+  for (const auto& [more, kind] :
+    { std::make_pair("z=1: 2,2 2.8,2 2.8,2.8 2,2.8", "overlap others"),
+      std::make_pair("z=1.5: 0.5,0.5 2.5,2.5 2.5,0.5 0.5,2.5", "cross themselves") })
   {
     SCOPED_TRACE(more);
     TextRun run{ Cube() + more };
     vtkPolyData* surface = run.Update();
     EXPECT_TRUE(run.Errors.empty());
     ASSERT_EQ(run.Warnings.size(), 1u);
-    EXPECT_TRUE(Contains(run.Warnings[0], "port 2 (z-slices), cell 2")) << run.Warnings[0];
-    EXPECT_TRUE(Contains(run.Warnings[0], "repaired")) << run.Warnings[0];
+    EXPECT_TRUE(Contains(run.Warnings[0], "port 2 (z-slices), cell ")) << run.Warnings[0];
+    EXPECT_TRUE(Contains(run.Warnings[0], kind)) << run.Warnings[0];
     const SurfaceCheck check = CheckSurface(MeshOf(surface));
     EXPECT_TRUE(check.IsClosedManifold()) << check;
     EXPECT_GT(check.Components, 0);
