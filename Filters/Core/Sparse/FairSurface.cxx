@@ -76,7 +76,7 @@ public:
 
   /// Moves the free points to where the surface bends least. False if that cannot be solved.
   bool Solve(std::vector<Point3>& points);
-  /// The same along one axis, with a pull that joins the bending. REQUIRES: Solve was called.
+  /// Moves them along one axis alone, with a pull that joins the bending.
   bool SolveWith(const SlabPull& pull, int axis, std::vector<Point3>& points);
 
 private:
@@ -292,6 +292,33 @@ Index NumberFreePoints(
   }
   return count;
 }
+
+/// Moves free points that have left their cells onto the boundary, and stops them. False if there are
+/// none.
+bool StopAtCells(
+  const std::vector<Index>& place, SurfaceMesh& mesh, std::vector<std::uint8_t>& stopped)
+{
+  bool changed = false;
+  for (std::size_t i = 0; i < place.size(); ++i)
+  {
+    if (place[i] < 0)
+    {
+      continue;
+    }
+    const Box3& cell = mesh.Cells[mesh.CellOf(static_cast<Index>(i))];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double inside = std::clamp(mesh.Points[i][axis], cell.Low[axis], cell.High[axis]);
+      if (inside != mesh.Points[i][axis])
+      {
+        mesh.Points[i][axis] = inside;
+        stopped[i] = 1;
+        changed = true;
+      }
+    }
+  }
+  return changed;
+}
 }
 
 void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
@@ -304,16 +331,18 @@ void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
   std::vector<Index> place;
   // Points that reach the end of their cell stay there; then the others are placed anew.
   constexpr int rounds = 3;
-  for (int round = 0; round < rounds; ++round)
+  bool changed = true;
+  for (int round = 0; round < rounds && changed; ++round)
   {
     const Index freePoints = NumberFreePoints(mesh, stopped, place);
     std::vector<Point3> points = mesh.Points;
     BendingEquations equations(bending, mesh.Crease, place, freePoints, points);
-    if (freePoints == 0 || !equations.Solve(points))
+    // A pull acts along the axis alone, and so do, but for the bounds of all, the ends of cells.
+    if (freePoints == 0 || ((round == 0 || !isPulled) && !equations.Solve(points)))
     {
       return;
     }
-    if (isPulled && pull.IsEmpty())
+    if (isPulled && round == 0)
     {
       pull = PullIntoSlabs(mesh, MeasureRoughness(bending, mesh, points));
     }
@@ -322,29 +351,7 @@ void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
       return;
     }
     mesh.Points.swap(points);
-    bool changed = false;
-    for (std::size_t i = 0; i < place.size(); ++i)
-    {
-      if (place[i] < 0)
-      {
-        continue;
-      }
-      const Box3& cell = mesh.Cells[mesh.CellOf(static_cast<Index>(i))];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const double inside = std::clamp(mesh.Points[i][axis], cell.Low[axis], cell.High[axis]);
-        if (inside != mesh.Points[i][axis])
-        {
-          mesh.Points[i][axis] = inside;
-          stopped[i] = 1;
-          changed = true;
-        }
-      }
-    }
-    if (!changed)
-    {
-      return;
-    }
+    changed = StopAtCells(place, mesh, stopped);
   }
 }
 }
