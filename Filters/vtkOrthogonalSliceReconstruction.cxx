@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOrthogonalSliceReconstruction.h"
 
+#include "Bridge/CompareOthers.h"
 #include "Bridge/CutAtBorder.h"
 #include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
@@ -10,7 +11,7 @@
 #include "Bridge/WriteGraph.h"
 #include "Bridge/WriteSurface.h"
 #include "Bridge/WriteTables.h"
-#include "Core/Reconstruct.h"
+#include "Core/ReconstructSorted.h"
 
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
@@ -63,6 +64,15 @@ constexpr Choice<orthoslices::CrossingContours> CrossingContoursModes[] = {
   { Filter::REFUSE_CROSSING, orthoslices::CrossingContours::Refuse, "Refuse" },
   { Filter::LEAVE_OUT_CROSSING, orthoslices::CrossingContours::LeaveOut, "LeaveOut" }
 };
+constexpr Choice<orthoslices::LoopRule> LoopRules[] = { { Filter::UNION,
+                                                          orthoslices::LoopRule::Union, "Union" },
+  { Filter::EVEN_ODD, orthoslices::LoopRule::EvenOdd, "EvenOdd" },
+  { Filter::NON_ZERO, orthoslices::LoopRule::NonZero, "NonZero" } };
+constexpr Choice<orthoslices::FrameChoice> Frames[] = {
+  { Filter::AUTOMATIC_FRAME, orthoslices::FrameChoice::Automatic, "Automatic" },
+  { Filter::WORLD_FRAME, orthoslices::FrameChoice::World, "World" },
+  { Filter::GIVEN_FRAME, orthoslices::FrameChoice::Given, "Given" }
+};
 constexpr Choice<orthoslices::VirtualSlices> VirtualSlicesModes[] = {
   { Filter::AUTOMATIC_VIRTUAL_SLICES, orthoslices::VirtualSlices::Automatic, "Automatic" },
   { Filter::NO_VIRTUAL_SLICES, orthoslices::VirtualSlices::Off, "Off" },
@@ -106,12 +116,15 @@ constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
   return true;
 }
 static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
-    IsIndexed(BorderContoursModes) && IsIndexed(CrossingContoursModes) &&
-    IsIndexed(VirtualSlicesModes) && IsIndexed(SeveralCyclesModes) && IsIndexed(Correspondences) &&
-    IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
+    IsIndexed(BorderContoursModes) && IsIndexed(CrossingContoursModes) && IsIndexed(LoopRules) &&
+    IsIndexed(Frames) && IsIndexed(VirtualSlicesModes) && IsIndexed(SeveralCyclesModes) &&
+    IsIndexed(Correspondences) && IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
   "The setters clamp properties to their first and last value");
 
-/// More contour vertices than that on one port do not fit into the core's numbers.
+/// One for each family, and one for contours of any families.
+constexpr int InputPorts = 4;
+
+/// More contour vertices than that do not fit into the core's numbers.
 constexpr vtkIdType MaxVertices = std::numeric_limits<orthoslices::Index>::max() / 8;
 
 /// From here on, progress is that of writing the surface.
@@ -120,13 +133,19 @@ constexpr double ProgressBeforeSurface = 0.9;
 
 vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(InputPorts);
   this->SetNumberOfOutputPorts(7);
 }
 
 int vtkOrthogonalSliceReconstruction::FillInputPortInformation(int, vtkInformation* info)
 {
+  // Composite types are named, so that the executive does not run the filter block by block.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  for (const char* type :
+    { "vtkMultiBlockDataSet", "vtkPartitionedDataSet", "vtkPartitionedDataSetCollection" })
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
+  }
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -139,9 +158,10 @@ int vtkOrthogonalSliceReconstruction::FillOutputPortInformation(int port, vtkInf
 
 void vtkOrthogonalSliceReconstruction::SetFamilyConnection(int family, vtkAlgorithmOutput* output)
 {
-  if (family < 1 || family > 3)
+  if (family < 1 || family > InputPorts)
   {
-    vtkErrorMacro("Family " << family << " must be 1 (x-slices), 2 (y-slices) or 3 (z-slices).");
+    vtkErrorMacro(
+      "Family " << family << " must be 1 (x-slices), 2 (y-slices), 3 (z-slices) or 4 (any).");
     return;
   }
   this->SetInputConnection(family - 1, output);
@@ -181,7 +201,7 @@ int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   // Contours of all pieces belong together: every request needs the whole input.
-  for (int port = 0; port < 3; ++port)
+  for (int port = 0; port < InputPorts; ++port)
   {
     vtkInformation* input = inputs[port]->GetInformationObject(0);
     if (input != nullptr)
@@ -206,21 +226,14 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   {
     return 0;
   }
-  const bool doublePrecision = this->NeedsDoublePrecision(inputs);
-  std::array<orthoslices::Pieces, 3> pieces;
-  for (int port = 0; port < 3; ++port)
-  {
-    pieces[port].Axis = port;
-    if (vtkPolyData* input = vtkPolyData::GetData(inputs[port]))
-    {
-      pieces[port] = orthoslices::ReadPieces(input, port, doublePrecision);
-    }
-  }
   orthoslices::Options options;
   this->GetOptions(options);
+  orthoslices::SortedSlices sorted = this->SortInputs(inputs);
+  const bool doublePrecision = this->NeedsDoublePrecision(inputs, sorted);
   options.SinglePrecision = !doublePrecision;
+  const orthoslices::Polylines others = std::move(sorted.Others);
   orthoslices::Reconstruction result =
-    orthoslices::Reconstruct(std::move(pieces), options, orthoslices::ExecuteWithVtk(this));
+    orthoslices::ReconstructSorted(std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
   if (result.Stopped)
   {
     return 1;
@@ -231,10 +244,25 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   }
   this->Report(result);
   this->WriteOutputs(std::move(result), doublePrecision, outputs);
+  this->CompareOthers(others, outputs);
   return 1;
 }
 
-/// Weights and tolerances that are numbers; setters clamp the others.
+namespace
+{
+/// Nine values as three vectors.
+std::array<orthoslices::Point3, 3> GivenNormals(const double* values)
+{
+  std::array<orthoslices::Point3, 3> normals;
+  for (int i = 0; i < 9; ++i)
+  {
+    normals[i / 3][i % 3] = values[i];
+  }
+  return normals;
+}
+}
+
+/// Weights and tolerances that are numbers, and axes that are some; setters clamp the others.
 bool vtkOrthogonalSliceReconstruction::CheckProperties()
 {
   for (const double weight : this->AxisWeights)
@@ -244,6 +272,15 @@ bool vtkOrthogonalSliceReconstruction::CheckProperties()
       vtkErrorMacro("AxisWeights has " << weight << "; weights must be finite and not negative.");
       return false;
     }
+  }
+  orthoslices::AxisFrame given;
+  if (this->Frame == GIVEN_FRAME &&
+    !orthoslices::MakeGivenFrame(GivenNormals(this->FrameNormals), given))
+  {
+    vtkErrorMacro(
+      "FrameNormals must be the normals of three families of planes: three vectors that are "
+      "not nearly in one plane.");
+    return false;
   }
   // NaN is neither below nor above the range to which tolerances are clamped.
   for (const auto& tolerance : { std::make_pair("PlaneTolerance", this->PlaneTolerance),
@@ -266,50 +303,75 @@ bool vtkOrthogonalSliceReconstruction::CheckProperties()
   return true;
 }
 
-/// At least one port is connected, and those that are have contours, and not too many.
+/// There are contours on some port, and not too many. Empty ports are as good as unconnected ones.
 bool vtkOrthogonalSliceReconstruction::CheckInputs(vtkInformationVector** inputs)
 {
   if (this->GetTotalNumberOfInputConnections() == 0)
   {
-    vtkErrorMacro("No input: connect contours to port 0 (x-slices), 1 (y-slices) or 2 (z-slices).");
+    vtkErrorMacro(
+      "No input: connect contours to port 0 (x-slices), 1 (y-slices), 2 (z-slices) or 3 "
+      "(slices of any families).");
     return false;
   }
-  for (int port = 0; port < 3; ++port)
+  vtkIdType cells = 0, vertices = 0;
+  for (int port = 0; port < InputPorts; ++port)
   {
-    if (this->GetNumberOfInputConnections(port) == 0)
-    {
-      continue;
-    }
-    vtkPolyData* input = vtkPolyData::GetData(inputs[port]);
-    if (input == nullptr || input->GetNumberOfLines() + input->GetNumberOfPolys() == 0)
-    {
-      vtkErrorMacro("Port " << port << " (" << orthoslices::AxisNames[port]
-                            << "-slices) has no contours: no lines and no polygons.");
-      return false;
-    }
-    const vtkIdType vertices = input->GetLines()->GetNumberOfConnectivityIds() +
-      input->GetPolys()->GetNumberOfConnectivityIds();
-    if (vertices > MaxVertices)
-    {
-      vtkErrorMacro("Port " << port << " has " << vertices << " contour vertices, more than "
-                            << MaxVertices << ".");
-      return false;
-    }
+    orthoslices::VisitPolyData(vtkDataObject::GetData(inputs[port]),
+      [&](vtkPolyData* data, orthoslices::Index)
+      {
+        cells += data->GetNumberOfLines() + data->GetNumberOfPolys();
+        vertices += data->GetLines()->GetNumberOfConnectivityIds() +
+          data->GetPolys()->GetNumberOfConnectivityIds();
+      });
+  }
+  if (cells == 0)
+  {
+    vtkErrorMacro("The input has no contours: no lines and no polygons on any port.");
+    return false;
+  }
+  if (vertices > MaxVertices)
+  {
+    vtkErrorMacro(
+      "The input has " << vertices << " contour vertices, more than " << MaxVertices << ".");
+    return false;
   }
   return true;
 }
 
-bool vtkOrthogonalSliceReconstruction::NeedsDoublePrecision(vtkInformationVector** inputs)
+/// The contours of all ports by the planes that they lie on.
+orthoslices::SortedSlices vtkOrthogonalSliceReconstruction::SortInputs(
+  vtkInformationVector** inputs) const
 {
-  bool anyDouble = false;
-  for (int port = 0; port < 3; ++port)
+  orthoslices::Polylines lines;
+  const bool round = this->OutputPointsPrecision == SINGLE_PRECISION;
+  for (int port = 0; port < InputPorts; ++port)
   {
-    vtkPolyData* input = vtkPolyData::GetData(inputs[port]);
-    anyDouble |= input != nullptr && input->GetPoints()->GetDataType() == VTK_DOUBLE;
+    orthoslices::ReadPieces(vtkDataObject::GetData(inputs[port]), port, !round, lines);
   }
-  return this->OutputPointsPrecision == DEFAULT_PRECISION
-    ? anyDouble
-    : this->OutputPointsPrecision == DOUBLE_PRECISION;
+  orthoslices::FrameOptions options;
+  options.Choice = Frames[this->Frame].Value;
+  options.Given = GivenNormals(this->FrameNormals);
+  options.PlaneTolerance = this->PlaneTolerance;
+  return orthoslices::SortByPlanes(lines, options);
+}
+
+bool vtkOrthogonalSliceReconstruction::NeedsDoublePrecision(
+  vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted)
+{
+  if (this->OutputPointsPrecision != DEFAULT_PRECISION)
+  {
+    return this->OutputPointsPrecision == DOUBLE_PRECISION;
+  }
+  // Turned back, coordinates are no values of float any more.
+  bool anyDouble = !sorted.Frame.IsWorld();
+  for (int port = 0; port < InputPorts; ++port)
+  {
+    orthoslices::VisitPolyData(vtkDataObject::GetData(inputs[port]),
+      [&](vtkPolyData* data, orthoslices::Index) {
+        anyDouble |= data->GetPoints() != nullptr && data->GetPoints()->GetDataType() == VTK_DOUBLE;
+      });
+  }
+  return anyDouble;
 }
 
 /// The properties in the terms of the core.
@@ -323,6 +385,8 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.Invalid = InvalidContoursModes[this->InvalidContours].Value;
   options.AtBorder = BorderContoursModes[this->BorderContours].Value;
   options.Crossing = CrossingContoursModes[this->CrossingContours].Value;
+  options.Loops = LoopRules[this->LoopRule].Value;
+  options.RedrawnShare = this->RedrawnTolerance;
   if (std::any_of(this->AxisWeights, this->AxisWeights + 3, [](double w) { return w > 0.0; }))
   {
     std::copy_n(this->AxisWeights, 3, options.Weights.begin());
@@ -358,9 +422,9 @@ bool vtkOrthogonalSliceReconstruction::CheckResult(const orthoslices::Reconstruc
     // Cells are counted from 0 below the first plane, in the array GridCell.
     if (result.Grid.Count(axis) >= VTK_UNSIGNED_SHORT_MAX)
     {
-      vtkErrorMacro("Port " << axis << " has contours on " << result.Grid.Count(axis)
-                            << " planes, more than " << VTK_UNSIGNED_SHORT_MAX - 1
-                            << "; is PlaneTolerance too small?");
+      vtkErrorMacro("There are " << result.Grid.Count(axis) << " " << orthoslices::AxisNames[axis]
+                                 << "-slices, more than " << VTK_UNSIGNED_SHORT_MAX - 1
+                                 << "; is PlaneTolerance too small?");
       return false;
     }
   }
@@ -406,6 +470,20 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   this->UpdateProgress(1.0);
 }
 
+/// Contours on planes of no family: how far the surface is from them.
+void vtkOrthogonalSliceReconstruction::CompareOthers(
+  const orthoslices::Polylines& others, vtkInformationVector* outputs)
+{
+  const std::vector<orthoslices::Agreement> distances =
+    orthoslices::MeasureDistances(others, vtkPolyData::GetData(outputs, 0));
+  orthoslices::WriteOthers(others, distances, vtkTable::GetData(outputs, 3));
+  const std::string text = orthoslices::DescribeOthers(others, distances);
+  if (!text.empty())
+  {
+    vtkWarningMacro(<< text);
+  }
+}
+
 void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -415,6 +493,15 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BorderContours: " << BorderContoursModes[this->BorderContours].Name << "\n";
   os << indent << "CrossingContours: " << CrossingContoursModes[this->CrossingContours].Name
      << "\n";
+  os << indent << "LoopRule: " << LoopRules[this->LoopRule].Name << "\n";
+  os << indent << "RedrawnTolerance: " << this->RedrawnTolerance << "\n";
+  os << indent << "Frame: " << Frames[this->Frame].Name << "\n";
+  os << indent << "FrameNormals:";
+  for (const double value : this->FrameNormals)
+  {
+    os << " " << value;
+  }
+  os << "\n";
   os << indent << "InsertMissingContours: " << (this->InsertMissingContours ? "On" : "Off") << "\n";
   os << indent << "VirtualSlices: " << VirtualSlicesModes[this->VirtualSlices].Name << "\n";
   os << indent << "VirtualSliceSpacing: " << this->VirtualSliceSpacing << "\n";

@@ -4,6 +4,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -19,16 +21,18 @@ namespace orthoslices
 {
 namespace
 {
-/// Appends the cells of one vtkCellArray to pieces.
+/// Appends the cells of one vtkCellArray to polylines.
 class PieceReader
 {
 public:
-  PieceReader(vtkPolyData* input, bool round, Pieces& pieces)
+  PieceReader(vtkPolyData* input, bool round, int port, Index block, Polylines& lines)
     : Round(round)
+    , Port(port)
+    , Block(block)
     , Points(input->GetPoints()->GetData())
     , Ghosts(vtkUnsignedCharArray::SafeDownCast(
         input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName())))
-    , Target(pieces)
+    , Target(lines)
   {
   }
 
@@ -39,9 +43,11 @@ private:
   void AddCell(vtkIdType cell, vtkIdType count, const vtkIdType* points, bool polygon);
 
   bool Round;
+  int Port;
+  Index Block;
   vtkDataArray* Points;
   vtkUnsignedCharArray* Ghosts;
-  Pieces& Target;
+  Polylines& Target;
 };
 
 void PieceReader::AddPoint(vtkIdType point)
@@ -59,13 +65,15 @@ void PieceReader::AddPoint(vtkIdType point)
   {
     this->Points->GetTuple(point, x);
   }
-  if (this->Round)
+  for (int i = 0; i < 3 && this->Round; ++i)
   {
-    std::transform(x, x + 3, x, [](double value) { return static_cast<float>(value); });
+    // Volatile, because GCC 12 at -O3 vectorizes the conversion to float and back away.
+    volatile float rounded = static_cast<float>(x[i]);
+    x[i] = rounded;
   }
-  this->Target.U.push_back(x[FirstAxis(this->Target.Axis)]);
-  this->Target.V.push_back(x[SecondAxis(this->Target.Axis)]);
-  this->Target.W.push_back(x[this->Target.Axis]);
+  this->Target.X.push_back(x[0]);
+  this->Target.Y.push_back(x[1]);
+  this->Target.Z.push_back(x[2]);
 }
 
 void PieceReader::AddCell(vtkIdType cell, vtkIdType count, const vtkIdType* points, bool polygon)
@@ -80,25 +88,27 @@ void PieceReader::AddCell(vtkIdType cell, vtkIdType count, const vtkIdType* poin
   {
     this->AddPoint(points[i]);
   }
-  Pieces& pieces = this->Target;
-  const std::size_t first = pieces.Offsets.back();
-  const bool repeated = pieces.U.back() == pieces.U[first] && pieces.V.back() == pieces.V[first] &&
-    pieces.W.back() == pieces.W[first];
+  Polylines& lines = this->Target;
+  const Index first = lines.Offsets.back();
+  const bool repeated =
+    lines.PointAt(first) == lines.PointAt(static_cast<Index>(lines.X.size()) - 1);
   if (repeated)
   {
-    pieces.U.pop_back();
-    pieces.V.pop_back();
-    pieces.W.pop_back();
+    lines.X.pop_back();
+    lines.Y.pop_back();
+    lines.Z.pop_back();
   }
-  pieces.Offsets.push_back(static_cast<Index>(pieces.U.size()));
-  pieces.Cell.push_back(cell);
-  pieces.Closed.push_back(polygon || repeated ? 1 : 0);
+  lines.Offsets.push_back(static_cast<Index>(lines.X.size()));
+  lines.Closed.push_back(polygon || repeated ? 1 : 0);
+  lines.From.Port.push_back(static_cast<std::int8_t>(this->Port));
+  lines.From.Block.push_back(this->Block);
+  lines.From.Cell.push_back(cell);
 }
 
 void PieceReader::Read(vtkCellArray* cells, bool polygons, vtkIdType firstCell)
 {
-  const std::size_t count = this->Target.U.size() + cells->GetNumberOfConnectivityIds();
-  for (std::vector<double>* values : { &this->Target.U, &this->Target.V, &this->Target.W })
+  const std::size_t count = this->Target.X.size() + cells->GetNumberOfConnectivityIds();
+  for (std::vector<double>* values : { &this->Target.X, &this->Target.Y, &this->Target.Z })
   {
     values->reserve(count);
   }
@@ -112,18 +122,41 @@ void PieceReader::Read(vtkCellArray* cells, bool polygons, vtkIdType firstCell)
 }
 }
 
-Pieces ReadPieces(vtkPolyData* input, int axis, bool doublePrecision)
+void VisitPolyData(
+  vtkDataObject* input, const std::function<void(vtkPolyData* data, Index block)>& visit)
 {
-  Pieces pieces;
-  pieces.Axis = axis;
-  if (input->GetPoints() == nullptr)
+  if (auto* data = vtkPolyData::SafeDownCast(input))
   {
-    return pieces;
+    visit(data, 0);
   }
-  PieceReader reader(input, !doublePrecision, pieces);
-  const vtkIdType verts = input->GetNumberOfVerts();
-  reader.Read(input->GetLines(), false, verts);
-  reader.Read(input->GetPolys(), true, verts + input->GetNumberOfLines());
-  return pieces;
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (composite == nullptr)
+  {
+    return;
+  }
+  const auto blocks = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
+  {
+    if (auto* data = vtkPolyData::SafeDownCast(blocks->GetCurrentDataObject()))
+    {
+      visit(data, static_cast<Index>(blocks->GetCurrentFlatIndex()));
+    }
+  }
+}
+
+void ReadPieces(vtkDataObject* input, int port, bool doublePrecision, Polylines& lines)
+{
+  VisitPolyData(input,
+    [&](vtkPolyData* data, Index block)
+    {
+      if (data->GetPoints() == nullptr)
+      {
+        return;
+      }
+      PieceReader reader(data, !doublePrecision, port, block, lines);
+      const vtkIdType verts = data->GetNumberOfVerts();
+      reader.Read(data->GetLines(), false, verts);
+      reader.Read(data->GetPolys(), true, verts + data->GetNumberOfLines());
+    });
 }
 }

@@ -67,12 +67,30 @@ struct AgreementColumns
   vtkDoubleArray* RootMeanSquare;
   vtkDoubleArray* Greatest;
 };
+
+/// Whether each contour lies on a slice across the axis that has the number of its port.
+bool AreOfTheirPorts(const ContourList& members)
+{
+  for (std::size_t i = 0; i < members.Port.size(); ++i)
+  {
+    if (members.Port[i] != members.Axis[i] && !members.IsVirtual(i))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 }
 
 void WriteContourTable(const Reconstruction& result, vtkTable* table)
 {
+  const ContourList& members = result.Members;
+  const bool hasBlocks =
+    std::any_of(members.Block.begin(), members.Block.end(), [](Index block) { return block > 0; });
   auto* port = AddColumn<vtkIntArray>(table, "Port");
+  auto* block = hasBlocks ? AddColumn<vtkIdTypeArray>(table, "Block") : nullptr;
   auto* cell = AddColumn<vtkIdTypeArray>(table, "Cell");
+  auto* sliceAxis = AreOfTheirPorts(members) ? nullptr : AddColumn<vtkIntArray>(table, "SliceAxis");
   auto* plane = AddColumn<vtkIntArray>(table, "SlicePlane");
   auto* coordinate = AddColumn<vtkDoubleArray>(table, "PlaneCoordinate");
   AgreementColumns columns(table);
@@ -83,7 +101,15 @@ void WriteContourTable(const Reconstruction& result, vtkTable* table)
       continue;
     }
     const int axis = result.Members.Axis[i];
-    port->InsertNextValue(axis);
+    port->InsertNextValue(members.Port.empty() ? axis : members.Port[i]);
+    if (block != nullptr)
+    {
+      block->InsertNextValue(members.Block[i]);
+    }
+    if (sliceAxis != nullptr)
+    {
+      sliceAxis->InsertNextValue(axis);
+    }
     cell->InsertNextValue(result.Members.Cell[i]);
     plane->InsertNextValue(result.Members.Plane[i]);
     coordinate->InsertNextValue(result.Grid.Planes[axis][result.Members.Plane[i]]);

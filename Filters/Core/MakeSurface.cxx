@@ -105,7 +105,7 @@ bool BuildGraph(Pass& pass)
   pass.Finish(Stage::BuildNodeGraph);
   result.Agreement =
     MeasureAgreement(contours, result.Grid, result.Crossings, result.Nodes, normals);
-  result.Members = { contours.Axis, contours.Plane, contours.Cell, contours.Virtual };
+  result.Members = { contours.Axis, contours.Plane, contours.Cell, contours.Virtual, {}, {} };
   pass.Finish(Stage::MeasureAgreement);
   ThinArcs(pass.Settings.ContourTolerance * MinMeanSpacing(result.Grid), result.Crossings,
     result.Nodes, pass.Execute, result.Graph);

@@ -66,8 +66,8 @@ void Pass::Report(const std::vector<Repair>& repairs)
 
 void Pass::BuildGrid()
 {
-  this->Result.Grid =
-    BuildSpatialGrid(this->Tables.Contours, this->Tables.Tolerance, this->Settings.SinglePrecision);
+  this->Result.Grid = BuildSpatialGrid(this->Tables.Contours, this->Tables.Tolerance,
+    this->Settings.SinglePrecision, this->Settings.Quantum);
   LimitBounds(this->Tables.Border, this->Result.Grid);
 }
 }

@@ -8,6 +8,7 @@
 #include "Core/Cells/UndecidedPlaces.h"
 #include "Core/Crossings/MeasureAgreement.h"
 #include "Core/Crossings/ReconcileSlices.h"
+#include "Core/Frames/AxisFrame.h"
 #include "Core/Graph/CycleGeometry.h"
 #include "Core/Graph/IsolatedContours.h"
 #include "Core/Patches/EstimateNormals.h"
@@ -25,6 +26,10 @@ struct ContourList
   std::vector<Index> Plane;
   std::vector<std::int64_t> Cell;
   std::vector<std::uint8_t> Virtual; ///< as in Contours
+  /// The input port and the block of a composite input that contours come from; empty until
+  /// ReconstructSorted names them.
+  std::vector<std::int8_t> Port;
+  std::vector<Index> Block;
 
   bool IsVirtual(std::size_t contour) const
   {
@@ -47,6 +52,7 @@ struct Reconstruction
   bool Stopped = false; ///< Execution::Continue returned false
 
   double Diagonal = 0.0; ///< of the bounding box of all contours
+  AxisFrame Frame;       ///< of the axes of Grid; see ReconstructSorted
   SpatialGrid Grid;
   GridCrossings Crossings;
   NodePoints Nodes;

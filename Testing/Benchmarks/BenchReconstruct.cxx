@@ -19,7 +19,7 @@
 
 #include "Bridge/ExecuteWithVtk.h"
 #include "Bridge/ReadPieces.h"
-#include "Core/Reconstruct.h"
+#include "Core/ReconstructSorted.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
@@ -143,11 +143,10 @@ double PeakMegabytes()
 /// Prints how long each stage takes, all its runs together, in the order of the stages.
 void PrintStages(vtkOrthogonalSliceReconstruction* filter, bool doublePrecision)
 {
-  std::array<orthoslices::Pieces, 3> pieces;
-  for (int axis = 0; axis < 3; ++axis)
+  orthoslices::Polylines lines;
+  for (int port = 0; port < 3; ++port)
   {
-    pieces[axis] = orthoslices::ReadPieces(
-      vtkPolyData::SafeDownCast(filter->GetInputDataObject(axis, 0)), axis, doublePrecision);
+    orthoslices::ReadPieces(filter->GetInputDataObject(port, 0), port, doublePrecision, lines);
   }
   orthoslices::Options options;
   options.SinglePrecision = !doublePrecision;
@@ -166,8 +165,8 @@ void PrintStages(vtkOrthogonalSliceReconstruction* filter, bool doublePrecision)
     seconds[stage] += std::chrono::duration<double>(now - last).count();
     last = now;
   };
-  orthoslices::Reconstruct(
-    std::move(pieces), options, orthoslices::ExecuteWithVtk(filter), observe);
+  orthoslices::ReconstructSorted(orthoslices::SortByPlanes(lines, orthoslices::FrameOptions()),
+    options, orthoslices::ExecuteWithVtk(filter), observe);
   for (const auto& [stage, duration] : seconds)
   {
     std::printf("  %-24s %10.4f\n", orthoslices::NameOf(stage), duration);

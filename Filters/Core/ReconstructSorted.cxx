@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/ReconstructSorted.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace orthoslices
+{
+namespace
+{
+template <typename Number, typename Map>
+void MapTriples(std::vector<Number>& triples, Map&& map)
+{
+  for (std::size_t i = 0; i + 2 < triples.size(); i += 3)
+  {
+    const Point3 mapped = map(Point3{ triples[i], triples[i + 1], triples[i + 2] });
+    for (int k = 0; k < 3; ++k)
+    {
+      triples[i + k] = static_cast<Number>(mapped[k]);
+    }
+  }
+}
+
+/// A power of 2 to whose multiples coordinates are rounded before they are mapped: 256 steps of double
+/// at the largest of them, far above the rounding of the map; of results in float, 16 steps of float.
+double ChooseQuantum(const std::array<Pieces, 3>& slices, bool singlePrecision)
+{
+  double largest = 0.0;
+  for (const Pieces& pieces : slices)
+  {
+    for (const std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
+    {
+      for (const double value : *values)
+      {
+        largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
+      }
+    }
+  }
+  const int bits = singlePrecision ? 20 : 44;
+  return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) + 1 - bits) : 0.0;
+}
+
+/// The surface with its normals.
+void MapSurface(const AxisFrame& frame, Reconstruction& result)
+{
+  const auto point = [&](const Point3& p) { return frame.ToWorld(p); };
+  const auto normal = [&](const Point3& n) { return frame.NormalToWorld(n); };
+  MapTriples(result.Graph.Points, point);
+  MapTriples(result.Isolated.Points, point);
+  MapTriples(result.Surface.CentralPoints, point);
+  MapTriples(result.Surface.Inner.Points, point);
+  MapTriples(result.Normals.Normals, normal);
+  MapTriples(result.Surface.Inner.Normals, normal);
+  for (PatchMesh& mesh : result.Surface.Meshes)
+  {
+    for (Point3& p : mesh.Points)
+    {
+      p = frame.ToWorld(p);
+    }
+  }
+}
+
+/// The places of the report, and the shifts of slices.
+void MapReport(const AxisFrame& frame, Reconstruction& result)
+{
+  const auto mapPlaces = [&](auto& places)
+  {
+    for (auto& place : places)
+    {
+      place.Where = frame.ToWorld(place.Where);
+    }
+  };
+  mapPlaces(result.Invalid);
+  mapPlaces(result.CrossingProblems);
+  mapPlaces(result.Mended);
+  mapPlaces(result.Repairs);
+  mapPlaces(result.Undecided.Places);
+  mapPlaces(result.Doubtful.Places);
+  for (std::vector<Point3>& shifts : result.Agreement.Shift)
+  {
+    for (Point3& shift : shifts)
+    {
+      shift = frame.ToWorld(shift);
+    }
+  }
+}
+
+/// Cells of the slices are numbers of polylines: names port, block and cell instead.
+void NameSources(const PolylineSources& from, Reconstruction& result)
+{
+  for (std::vector<Problem>* problems :
+    { &result.Invalid, &result.CrossingProblems, &result.Mended })
+  {
+    for (Problem& problem : *problems)
+    {
+      problem.Port = from.Port[problem.Cell];
+      problem.Cell = from.Cell[problem.Cell];
+    }
+  }
+  ContourList& members = result.Members;
+  members.Port.assign(members.Cell.size(), 0);
+  members.Block.assign(members.Cell.size(), 0);
+  for (std::size_t i = 0; i < members.Cell.size(); ++i)
+  {
+    const std::int64_t line = members.Cell[i];
+    members.Port[i] = members.Axis[i];
+    if (line >= 0) // contours that were added come from nowhere
+    {
+      members.Port[i] = from.Port[line];
+      members.Block[i] = from.Block[line];
+      members.Cell[i] = from.Cell[line];
+    }
+  }
+}
+}
+
+Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
+  const Execution& execution, const StageObserver& observer)
+{
+  Options settings = options;
+  if (!sorted.Frame.IsWorld())
+  {
+    settings.Quantum = ChooseQuantum(sorted.Slices, options.SinglePrecision);
+  }
+  Reconstruction result = Reconstruct(std::move(sorted.Slices), settings, execution, observer);
+  NameSources(sorted.From, result);
+  result.Frame = sorted.Frame;
+  if (!result.Frame.IsWorld())
+  {
+    MapSurface(result.Frame, result);
+    MapReport(result.Frame, result);
+  }
+  return result;
+}
+}

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesReconstructSorted_h
+#define OrthoSlicesReconstructSorted_h
+
+#include "Core/Frames/SortByPlanes.h"
+#include "Core/Reconstruct.h"
+
+namespace orthoslices
+{
+/**
+ * Reconstruct for slices of any frame. All points, normals and shifts of the result are those of the
+ * world; planes, their bounds and the cells of M are numbered and measured along the axes of the
+ * frame (Reconstruction::Frame). Problems and contours have the port and the cell that they come from.
+ *
+ * In a frame that is no rotation, the stages see boxes where the cells are oblique: which contours
+ * belong together and the shape of patches are those of the boxes, mapped. Distances along an axis,
+ * such as the disagreement of slices, are measured at right angles to the planes of that axis in
+ * any frame; other lengths of the report are those along the axes.
+ */
+Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
+  const Execution& execution, const StageObserver& observer = {});
+}
+
+#endif
