@@ -72,6 +72,7 @@ TEST(Reconstruct, RefusesWithTheListOfProblems)
   const std::string text = Octahedron() + "; z=0: 5,5 6,6 6,5 5,6; x=0: 5,5 nan,6 6,6";
   Options strict;
   strict.Invalid = InvalidContours::Refuse;
+  strict.Crossing = CrossingContours::Refuse;
   const Reconstruction refused = RunCore(text, strict);
   EXPECT_TRUE(refused.Refused);
   EXPECT_EQ(refused.Cycles.Count(), 0);
@@ -90,8 +91,10 @@ TEST(Reconstruct, RefusesWithTheListOfProblems)
     const Reconstruction kept = RunCore(text, options);
     EXPECT_FALSE(kept.Refused);
     EXPECT_EQ(kept.Invalid.size(), 1u);
-    EXPECT_EQ(kept.CrossingProblems.size(), 1u);
-    EXPECT_EQ(kept.Cycles.Count(), 8);
+    const bool isRepaired = crossing == CrossingContours::Repair;
+    EXPECT_EQ(kept.CrossingProblems.size(), isRepaired ? 0u : 1u);
+    EXPECT_EQ(kept.Mended.size(), isRepaired ? 1u : 0u);
+    EXPECT_EQ(kept.Cycles.Count(), 8 + (isRepaired ? 4 : 0)) << "both parts of the figure eight";
     options.Crossing = CrossingContours::Refuse;
     EXPECT_TRUE(RunCore(text, options).Refused);
   }
