@@ -397,6 +397,63 @@ TEST(ReconstructionFilter, LeavesOutUnusableContoursWithOneWarning)
 }
 
 //----------------------------------------------------------------------------
+TEST(ReconstructionFilter, MendsContoursWithOneWarningAndATable)
+{
+  // A segment that joins nothing, a flat loop, and one that is not finite.
+  TextRun run{ Cube() + "y=1.5 open: 3,4 8,9; z=1: 5,5 6,6 8,8; x=1: 0.6,0.6 nan,1 1,1" };
+  vtkPolyData* surface = run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  ASSERT_EQ(run.Warnings.size(), 1u);
+  for (const char* part : { "mended", "1 contour of one or two points", "1 contour without area",
+         "not finite", "port 0 (x-slices), cell 2", "port 1 (y-slices), cell 2", "(5, 5, 1)" })
+  {
+    EXPECT_TRUE(Contains(run.Warnings[0], part)) << run.Warnings[0];
+  }
+  const SurfaceCheck check = CheckSurface(MeshOf(surface));
+  EXPECT_TRUE(check.IsClosedManifold()) << check;
+  EXPECT_EQ(FieldValue(surface, "NumberOfContours"), 6);
+  vtkTable* table = run.Filter->GetProblemTable();
+  ASSERT_EQ(table, run.Filter->GetOutputDataObject(6));
+  ASSERT_EQ(table->GetNumberOfRows(), 3);
+  for (vtkIdType row = 0; row < 3; ++row)
+  {
+    EXPECT_EQ(table->GetValueByName(row, "LeftOut").ToInt(), 1);
+    EXPECT_EQ(table->GetValueByName(row, "Cell").ToInt(), 2);
+  }
+  // What is left of it says the same as the cube alone.
+  TextRun alone{ Cube() };
+  EXPECT_EQ(alone.Update()->GetNumberOfPoints(), surface->GetNumberOfPoints());
+  EXPECT_EQ(alone.Filter->GetProblemTable()->GetNumberOfRows(), 0);
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, ContoursThatEndAtTheBorderAreClosedOrRefused)
+{
+  // A square bar that the image cuts off at x = 3.
+  const std::string text =
+    "y=1 open: 1,3 1,0 2,0 2,3; y=2 open: 1,3 1,0 2,0 2,3\n"
+    "z=1.2 open: 3,0.5 0,0.5 0,2.5 3,2.5; z=1.8 open: 3,2.5 0,2.5 0,0.5 3,0.5\n"
+    "x=1: 0.5,1 2.5,1 2.5,2 0.5,2; x=2: 0.5,1 2.5,1 2.5,2 0.5,2";
+  TextRun run{ text };
+  vtkPolyData* surface = run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  ASSERT_EQ(run.Warnings.size(), 1u);
+  EXPECT_TRUE(Contains(run.Warnings[0], "4 contours that end at the border of the image"))
+    << run.Warnings[0];
+  EXPECT_TRUE(CheckSurface(MeshOf(surface)).IsClosedManifold());
+  double bounds[6];
+  surface->GetBounds(bounds);
+  EXPECT_GE(bounds[1], 3.0);
+  EXPECT_LE(bounds[1], 3.02) << "nothing beyond the border but two hundredths of a spacing";
+  EXPECT_EQ(run.Filter->GetProblemTable()->GetNumberOfRows(), 4);
+  TextRun refused{ text };
+  refused.Filter->SetBorderContoursToRefuse();
+  refused.Update();
+  ASSERT_GE(refused.Errors.size(), 1u);
+  EXPECT_TRUE(Contains(refused.Errors[0], "is open")) << refused.Errors[0];
+}
+
+//----------------------------------------------------------------------------
 TEST(ReconstructionFilter, RepairsCrossingContoursWithOneWarning)
 {
   // A second square of the same slice crosses the first one; then a contour that crosses itself.

@@ -15,6 +15,7 @@ Pass::Pass(const Pass& first, Contours&& contours)
   : Pass(first.Settings, first.Execute, first.Observe)
 {
   this->Tables.Tolerance = first.Tables.Tolerance;
+  this->Tables.Border = first.Tables.Border;
   this->Tables.Contours = std::move(contours);
   this->Inserted = first.Inserted;
   Reconstruction& result = this->Result;
@@ -66,5 +67,6 @@ void Pass::BuildGrid()
 {
   this->Result.Grid = BuildSpatialGrid(this->Tables.Contours, this->Tables.Tolerance,
     this->Settings.SinglePrecision, this->Settings.Quantum);
+  LimitBounds(this->Tables.Border, this->Result.Grid);
 }
 }

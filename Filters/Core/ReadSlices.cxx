@@ -14,8 +14,8 @@ namespace orthoslices
 namespace
 {
 /// How far vertices of a single slice may be off their plane, as a share of the diagonal of all
-/// contours: rounding to three digits.
-constexpr double AloneTolerance = 1e-3;
+/// contours: that no other slice is meant is certain, and a contour that leaves its plane by more is bent.
+constexpr double AloneTolerance = 1e-2;
 
 /// Diagonal of the bounding box of all finite coordinates of the input, without virtual pieces.
 double FindDiagonal(const std::array<Pieces, 3>& pieces)
@@ -57,6 +57,7 @@ bool ReadContours(std::array<Pieces, 3>&& pieces, Pass& pass)
   PieceProblems problems = AssembleContours(std::move(pieces), settings, pass.Tables.Contours);
   pass.Result.Invalid = std::move(problems.Unusable);
   pass.Result.Mended = std::move(problems.Mended);
+  pass.Tables.Border = problems.Border;
   if (pass.Tables.Contours.Count() == 0)
   {
     // Nothing was mended, but all left out.

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesAssembleContours_h
 #define OrthoSlicesAssembleContours_h
 
+#include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 #include "Core/Slices/ImageBorder.h"
 
@@ -25,6 +26,7 @@ struct PieceProblems
 {
   std::vector<Problem> Unusable; ///< their contours are not there
   std::vector<Problem> Mended;   ///< with Mend: mended, or left out
+  Box3 Border = Everywhere();    ///< contours were closed along its sides, and none lies beyond
 };
 
 /**

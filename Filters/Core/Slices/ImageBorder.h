@@ -25,6 +25,9 @@ struct ImageBorder
   std::array<std::array<double, 2>, 2> Side{ { { HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, -HUGE_VAL } } };
   std::array<std::array<bool, 2>, 2> IsFound{ { { false, false }, { false, false } } };
   double Tolerance = 0.0; ///< ends that are at most so far from a side lie on it
+  /// So far beyond the sides that were found, at right angles to them, curves go on before they are
+  /// closed.
+  double Beyond = 0.0;
 
   void Add(const Point2& point);
   /// The side nearest to an end, at most `distance` away, counted from below round the rectangle

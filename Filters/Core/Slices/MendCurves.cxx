@@ -111,6 +111,7 @@ void SliceMender::CloseAtBorder()
   for (BorderLoop& loop : CloseAlongBorder(this->Border, ending))
   {
     this->Report(ProblemKind::ClosedAlongBorder, loop.Curve, loop.Curve.End(0), loop.AlongBorder);
+    loop.Curve.IsAtBorder = true;
     this->Result.Loops.push_back(std::move(loop.Curve));
   }
 }

@@ -19,6 +19,10 @@ constexpr double MinDistanceOfPlanes = 256.0;
 
 /// Room that patches have beyond virtual contours, in SpacingAtEnds: far more than the Margin.
 constexpr double RoomBeyondVirtual = 0.01;
+
+/// Room that patches get beyond the border of the image, as a share of the distance of slices at the
+/// ends: as much as MakeVirtualSlices keeps from the bounds, so that virtual contours lie on the border.
+constexpr double RoomBeyondBorder = 0.02;
 }
 
 double SpatialGrid::Margin(int axis, Index slab) const
@@ -322,5 +326,15 @@ SpatialGrid BuildSpatialGrid(
   DropFlagsOfReal(grid);
   SetBounds(BoxOf(contours, false), box, grid);
   return grid;
+}
+
+void LimitBounds(const Box3& border, SpatialGrid& grid)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double room = RoomBeyondBorder * grid.SpacingAtEnds[axis];
+    grid.Lowest[axis] = std::max(grid.Lowest[axis], grid.Round(border.Low[axis] - room));
+    grid.Highest[axis] = std::min(grid.Highest[axis], grid.Round(border.High[axis] + room));
+  }
 }
 }

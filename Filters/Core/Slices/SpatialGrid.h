@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesSpatialGrid_h
 #define OrthoSlicesSpatialGrid_h
 
+#include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 
 #include <algorithm>
@@ -250,6 +251,10 @@ private:
  */
 SpatialGrid BuildSpatialGrid(
   Contours& contours, double tolerance, bool singlePrecision = false, double quantum = 0.0);
+
+/// Narrows the bounds of the surface to the border of the image, but for as much room beyond it as keeps
+/// contours of virtual planes on it. REQUIRES: no contour lies beyond the border.
+void LimitBounds(const Box3& border, SpatialGrid& grid);
 }
 
 #endif

@@ -385,6 +385,84 @@ TEST(SparseGuarantees, ComponentsOnOneSliceKeepTheirVolume)
 }
 
 //----------------------------------------------------------------------------
+namespace
+{
+/// A prism over this polygon from z = 0 on, as a stack of so many slices and rectangles across it.
+struct Prism
+{
+  /// Planes begin at `first`, and end as far before the height.
+  PieceSets Slice(int count, double first, const std::vector<double>& across) const
+  {
+    PieceSets sets = EmptySets();
+    for (int i = 0; i < count; ++i)
+    {
+      AddPiece(sets[2], { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } },
+        first + i * (this->Height - 2.0 * first) / (count - 1));
+    }
+    for (const double x : across)
+    {
+      AddPiece(
+        sets[0], { { -1, 0 }, { 1, 0 }, { 1, this->Height }, { -1, this->Height } }, x);
+    }
+    return sets;
+  }
+
+  double Height = 4.0;
+};
+}
+
+/// Flat ends are where slices across show them: beyond the last slice of a stack, or in it.
+TEST(SparseGuarantees, FlatEndsAreWhereSlicesAcrossShowThem)
+{
+  const Prism prism;
+  for (const int count : { 5, 8, 12 })
+  {
+    for (const double first : { 0.0, 0.2, 2.0 / count })
+    {
+      Input input;
+      input.Sets = prism.Slice(count, first, { 0.13 });
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        SCOPED_TRACE(std::to_string(count) + " " + std::to_string(first));
+        const Reconstruction result = RunSparse(input);
+        EXPECT_TRUE(result.Grid.HasVirtual());
+        const TriangleMesh mesh = MeshOf(result);
+        EXPECT_EQ(DescribeFlaws(mesh), "");
+        // Upright edges are rounded between slices.
+        EXPECT_NEAR(CheckSurface(mesh).TotalVolume(), 16.0, 0.02 * 16.0);
+        PermuteAxes(input.Sets);
+      }
+    }
+  }
+}
+
+/// Walls, cavities and rings by five slices and one or two across: as close as by many slices.
+TEST(SparseGuarantees, FiveSlicesWithOneAcrossShowWallsAndCavities)
+{
+  for (const Solid& solid : { PlainBall(), Pipe(0.5), BallWithCavity(0.5) })
+  {
+    const double volume = CheckSurface(
+      MeshOf(Reconstruct(SliceByFewPlanes(solid, EqualPlanes(solid, { 24, 24, 24 })), Options(),
+        Execution())))
+                            .TotalVolume();
+    for (const auto& count : { std::array<int, 3>{ 1, 0, 5 }, { 1, 1, 5 }, { 0, 1, 7 } })
+    {
+      const Input input = MakeInput(solid, count, InPlaneGrid::Free);
+      SCOPED_TRACE(input.Name);
+      const Reconstruction result = RunSparse(input);
+      EXPECT_TRUE(result.Grid.HasVirtual());
+      EXPECT_NEAR(CheckSurface(MeshOf(result)).TotalVolume(), volume, 0.03 * volume);
+      double worst = 0.0;
+      for (const Point3& point : MeshOf(result).Points)
+      {
+        worst = std::max(worst, std::abs(solid.Value(point)));
+      }
+      EXPECT_LT(worst, 0.1);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
 /// Which axis is called x is of no importance.
 TEST(SparseGuarantees, AxesMayBePermuted)
 {
