@@ -159,7 +159,7 @@
  * outputs of the others are empty.
  *
  * @section Guarantees Guarantees
- * G1 to G7 in Core/Reconstruct.h: closed, 2-manifold, consistently oriented outwards, contour
+ * G1 to G7 in Core/Reconstruct.h: closed (but for BorderContours = LEAVE_OPEN_AT_BORDER), 2-manifold, consistently oriented outwards, contour
  * vertices kept, the same bytes for any number of threads and on every execution, no two triangles
  * that cross, nothing outside the box of the contours by more than half a spacing. If slices do not lie
  * across the axes of the world, the box is one along the axes of the families, and vertices are kept but for
@@ -171,8 +171,8 @@
  * have no area, or coordinates that are not finite are mended or else left out (InvalidContours =
  * MEND, the default): one warning counts them by kinds, with port, cell and coordinate of the first of
  * each kind, and port 6 lists them all. With REFUSE they are errors, with LEAVE_OUT all of them are left
- * out. So are contours that cross themselves or each other within one slice (CrossingContours), which by
- * default are repaired. Where the families contradict each other by more than ReportTolerance, one
+ * out. So are contours that cross themselves or each other within one slice (CrossingContours); by
+ * default one warning counts them, and LoopRule says what they bound. Where the families contradict each other by more than ReportTolerance, one
  * warning says so, and the "Disagreement" array shows where. It also tells of contours that take no
  * part in the surface, of a surface that is inside out, of ExpectedComponents and ExpectedGenus that
  * cannot be met, and of undecided places where the odds are near even and that matter: both parts
@@ -222,7 +222,8 @@ public:
   enum BorderContoursMode
   {
     CLOSE_ALONG_BORDER = 0,
-    REFUSE_AT_BORDER = 1
+    LEAVE_OPEN_AT_BORDER = 1,
+    REFUSE_AT_BORDER = 2
   };
 
   enum CrossingContoursMode
@@ -230,6 +231,13 @@ public:
     REPAIR_CROSSING = 0,
     REFUSE_CROSSING = 1,
     LEAVE_OUT_CROSSING = 2
+  };
+
+  enum LoopRuleMode
+  {
+    UNION = 0,
+    EVEN_ODD = 1,
+    NON_ZERO = 2
   };
 
   enum FrameMode
@@ -317,28 +325,56 @@ public:
   ///@{
   /**
    * What happens, with InvalidContours = MEND, to contours that end at the border of the image. They
-   * are closed along it (default), or the input is refused with an error. The border is a rectangle in
-   * the planes of each port. A side of it is where the contours reach farthest along an axis and two or
-   * more loose ends lie. Where contours could be closed on either side, they keep to the sides at which
-   * ends lie, and to the shorter way.
+   * are closed along it (default), or the surface is left open there, or the input is refused with an
+   * error. The border is a rectangle in the planes of each port. A side of it is where the contours reach
+   * farthest along an axis and two or more loose ends lie. Where contours could be closed on either side,
+   * they keep to the sides at which ends lie, and to the shorter way.
+   *
+   * Left open, the contours are continued at right angles across the border, for the mean distance of the
+   * slices, and the surface of these is cut off at it. It ends there with a boundary that lies on the
+   * border, and is closed elsewhere. The graph shows the contours as continued, and numbers of components
+   * and handles are those before the cut.
    */
   vtkSetClampMacro(BorderContours, int, CLOSE_ALONG_BORDER, REFUSE_AT_BORDER);
   vtkGetMacro(BorderContours, int);
   void SetBorderContoursToCloseAlongBorder() { this->SetBorderContours(CLOSE_ALONG_BORDER); }
+  void SetBorderContoursToLeaveOpen() { this->SetBorderContours(LEAVE_OPEN_AT_BORDER); }
   void SetBorderContoursToRefuse() { this->SetBorderContours(REFUSE_AT_BORDER); }
   ///@}
 
   ///@{
   /**
-   * What happens to contours that cross themselves or another contour of their slice: they are
-   * repaired where they cross, with a warning (default), the input is refused with an error, or
-   * they are left out with a warning.
+   * What happens to contours that cross or overlap themselves or another contour of their slice:
+   * LoopRule says what they bound, with a warning (default), the input is refused with an error if
+   * any cross, or these are left out with a warning.
    */
   vtkSetClampMacro(CrossingContours, int, REPAIR_CROSSING, LEAVE_OUT_CROSSING);
   vtkGetMacro(CrossingContours, int);
   void SetCrossingContoursToRepair() { this->SetCrossingContours(REPAIR_CROSSING); }
   void SetCrossingContoursToRefuse() { this->SetCrossingContours(REFUSE_CROSSING); }
   void SetCrossingContoursToLeaveOut() { this->SetCrossingContours(LEAVE_OUT_CROSSING); }
+  ///@}
+
+  ///@{
+  /**
+   * What contours of one slice bound together that cross or overlap each other or themselves, with
+   * CrossingContours = REPAIR_CROSSING.
+   *
+   * UNION (default): loops that overlap count as their union, loops within others as holes, and so on
+   * inwards, whatever their directions. All lobes of a loop that crosses itself are inside. An outline
+   * and a hole that are joined by a bridge drawn there and back are two loops.
+   *
+   * EVEN_ODD: what an odd number of loops runs around is inside. NON_ZERO: what they run around more
+   * often in one direction than in the other one.
+   *
+   * With Orientation = ORIENT_AS_DRAWN, UNION and NON_ZERO both take for inside what contours run around
+   * more often counter-clockwise than clockwise. Where no contours meet, UNION and EVEN_ODD are the same.
+   */
+  vtkSetClampMacro(LoopRule, int, UNION, NON_ZERO);
+  vtkGetMacro(LoopRule, int);
+  void SetLoopRuleToUnion() { this->SetLoopRule(UNION); }
+  void SetLoopRuleToEvenOdd() { this->SetLoopRule(EVEN_ODD); }
+  void SetLoopRuleToNonZero() { this->SetLoopRule(NON_ZERO); }
   ///@}
 
   ///@{
@@ -354,6 +390,18 @@ public:
   void SetFrameToAutomatic() { this->SetFrame(AUTOMATIC_FRAME); }
   void SetFrameToWorld() { this->SetFrame(WORLD_FRAME); }
   void SetFrameToGiven() { this->SetFrame(GIVEN_FRAME); }
+  ///@}
+
+  ///@{
+  /**
+   * A contour that was drawn a second time counts once, with a warning: if it is closer than this to
+   * the first one everywhere, as a share of its thickness (twice the area by the length: the radius of
+   * a circle, the width of a strip). A thin wall looks the same; it stays where slices across show
+   * both of its sides, or, without slices across, where its sides run in opposite directions on
+   * neighbouring slices. With 0, only exact copies are left out. Default 0.05, range 0 to 0.5.
+   */
+  vtkSetClampMacro(RedrawnTolerance, double, 0.0, 0.5);
+  vtkGetMacro(RedrawnTolerance, double);
   ///@}
 
   ///@{
@@ -648,6 +696,8 @@ private:
   int InvalidContours = MEND;
   int BorderContours = CLOSE_ALONG_BORDER;
   int CrossingContours = REPAIR_CROSSING;
+  int LoopRule = UNION;
+  double RedrawnTolerance = 0.05;
   int SeveralCycles = BY_EVIDENCE;
   int Correspondence = CORRESPOND_BY_EVIDENCE;
   int ExpectedComponents = 0;

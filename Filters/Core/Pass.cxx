@@ -22,6 +22,7 @@ Pass::Pass(const Pass& first, Contours&& contours)
   result.Invalid = first.Result.Invalid;
   result.CrossingProblems = first.Result.CrossingProblems;
   result.Mended = first.Result.Mended;
+  result.OpenBorder = first.Result.OpenBorder;
   result.ContourCount = first.Result.ContourCount;
   result.Diagonal = first.Result.Diagonal;
   result.PolygonSizes = first.Result.PolygonSizes;
