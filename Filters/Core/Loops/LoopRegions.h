@@ -3,20 +3,13 @@
 #ifndef OrthoSlicesLoopRegions_h
 #define OrthoSlicesLoopRegions_h
 
+#include "Core/Loops/LoopRule.h"
 #include "Core/Loops/LoopWindings.h"
 
 #include <vector>
 
 namespace orthoslices
 {
-/// What of a slice is inside, where its contours meet.
-enum class LoopRule
-{
-  Union,   ///< loops that cross count together, loops within others are holes, and so on inwards
-  EvenOdd, ///< what an odd number of loops runs around
-  NonZero  ///< what loops run around more often in one direction than in the other one
-};
-
 /// What is inside, face by face of the plane graph that the loops of a slice make.
 class LoopRegions
 {

@@ -6,6 +6,7 @@
 #include "Core/Base/Predicates.h"
 #include "Core/Base/Vectors.h"
 #include "Core/Loops/LoopMeetings.h"
+#include "Core/Loops/LoopRegions.h"
 #include "Core/Loops/SlightMeetings.h"
 #include "Core/Loops/TraceRegion.h"
 #include "Core/Slices/OrientContours.h"

@@ -5,7 +5,7 @@
 
 #include "Core/Base/Contours.h"
 #include "Core/Base/Execution.h"
-#include "Core/Loops/LoopRegions.h"
+#include "Core/Loops/LoopRule.h"
 
 #include <vector>
 
