@@ -14,7 +14,7 @@ namespace
 {
 /// How far from the node a corner is cut off at most, as a share of the extent of the smallest loop
 /// there: too little to be seen, and far more than rounding.
-constexpr double MaxCut = 1.0 / 512.0;
+constexpr double MaxCut = 1.0 / 256.0;
 
 /// A loop on its way through a node.
 struct Passing
