@@ -3,6 +3,7 @@
 #include "vtkOrthogonalSliceReconstruction.h"
 
 #include "Bridge/CompareOthers.h"
+#include "Bridge/CutAtBorder.h"
 #include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
@@ -55,6 +56,7 @@ constexpr Choice<orthoslices::InvalidContours> InvalidContoursModes[] = {
 };
 constexpr Choice<orthoslices::BorderContours> BorderContoursModes[] = {
   { Filter::CLOSE_ALONG_BORDER, orthoslices::BorderContours::CloseAlong, "CloseAlongBorder" },
+  { Filter::LEAVE_OPEN_AT_BORDER, orthoslices::BorderContours::LeaveOpen, "LeaveOpen" },
   { Filter::REFUSE_AT_BORDER, orthoslices::BorderContours::Refuse, "Refuse" }
 };
 constexpr Choice<orthoslices::CrossingContours> CrossingContoursModes[] = {
@@ -229,10 +231,6 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   orthoslices::SortedSlices sorted = this->SortInputs(inputs);
   const bool doublePrecision = this->NeedsDoublePrecision(inputs, sorted);
   options.SinglePrecision = !doublePrecision;
-  if (!doublePrecision && !sorted.Frame.IsWorld())
-  {
-    orthoslices::RoundToFloat(sorted.Slices);
-  }
   const orthoslices::Polylines others = std::move(sorted.Others);
   orthoslices::Reconstruction result =
     orthoslices::ReconstructSorted(std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
@@ -464,8 +462,11 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   this->UpdateProgress(ProgressBeforeSurface);
   const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures };
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
+  const orthoslices::Box3 openBorder = result.OpenBorder;
+  vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
   orthoslices::WriteSurface(std::move(result), orthoslices::ExecuteWithVtk(this), doublePrecision,
-    arrays, reportTolerance, vtkPolyData::GetData(outputs, 0));
+    arrays, reportTolerance, surface);
+  orthoslices::CutAtBorder(openBorder, surface);
   this->UpdateProgress(1.0);
 }
 

@@ -159,7 +159,7 @@
  * outputs of the others are empty.
  *
  * @section Guarantees Guarantees
- * G1 to G7 in Core/Reconstruct.h: closed, 2-manifold, consistently oriented outwards, contour
+ * G1 to G7 in Core/Reconstruct.h: closed (but for BorderContours = LEAVE_OPEN_AT_BORDER), 2-manifold, consistently oriented outwards, contour
  * vertices kept, the same bytes for any number of threads and on every execution, no two triangles
  * that cross, nothing outside the box of the contours by more than half a spacing. If slices do not lie
  * across the axes of the world, the box is one along the axes of the families, and vertices are kept but for
@@ -222,7 +222,8 @@ public:
   enum BorderContoursMode
   {
     CLOSE_ALONG_BORDER = 0,
-    REFUSE_AT_BORDER = 1
+    LEAVE_OPEN_AT_BORDER = 1,
+    REFUSE_AT_BORDER = 2
   };
 
   enum CrossingContoursMode
@@ -324,14 +325,20 @@ public:
   ///@{
   /**
    * What happens, with InvalidContours = MEND, to contours that end at the border of the image. They
-   * are closed along it (default), or the input is refused with an error. The border is a rectangle in
-   * the planes of each port. A side of it is where the contours reach farthest along an axis and two or
-   * more loose ends lie. Where contours could be closed on either side, they keep to the sides at which
-   * ends lie, and to the shorter way.
+   * are closed along it (default), or the surface is left open there, or the input is refused with an
+   * error. The border is a rectangle in the planes of each port. A side of it is where the contours reach
+   * farthest along an axis and two or more loose ends lie. Where contours could be closed on either side,
+   * they keep to the sides at which ends lie, and to the shorter way.
+   *
+   * Left open, the contours are continued at right angles across the border, for the mean distance of the
+   * slices, and the surface of these is cut off at it. It ends there with a boundary that lies on the
+   * border, and is closed elsewhere. The graph shows the contours as continued, and numbers of components
+   * and handles are those before the cut.
    */
   vtkSetClampMacro(BorderContours, int, CLOSE_ALONG_BORDER, REFUSE_AT_BORDER);
   vtkGetMacro(BorderContours, int);
   void SetBorderContoursToCloseAlongBorder() { this->SetBorderContours(CLOSE_ALONG_BORDER); }
+  void SetBorderContoursToLeaveOpen() { this->SetBorderContours(LEAVE_OPEN_AT_BORDER); }
   void SetBorderContoursToRefuse() { this->SetBorderContours(REFUSE_AT_BORDER); }
   ///@}
 
@@ -631,7 +638,7 @@ public:
   /**
    * Precision of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or
    * DEFAULT_PRECISION (default): double if any input has double points, or if the slices do not lie
-   * across the axes of the world.
+   * across the axes of the world; single precision may make slivers of triangles touch in that case.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);

@@ -69,9 +69,10 @@
  * "PlaneCoordinate" are given along these axes: with unit vectors a, b and c along them, a point has
  * the coordinates u, v and w for which it is u a + v b + w c. So "x" in the properties below is u.
  * What is said above about a coordinate that equals the plane's then holds up to rounding; contours
- * of two slices still share their crossings exactly. The axes need not be perpendicular to each
- * other (images of an inclined gantry); where they are left-handed in the order of the ports, the
- * axis that is farthest from its coordinate axis runs the other way.
+ * of two slices still share their crossings exactly. The axes need not be perpendicular to each other
+ * (images of an inclined gantry); where they are left-handed in the order of the ports, the axis that
+ * is farthest from its coordinate axis runs the other way. vtkOrthogonalSliceReconstruction finds such
+ * planes from the contours.
  *
  * @section Errors Errors
  * With an error message and empty outputs: a surface that is open, has an edge with more than two

@@ -5,6 +5,7 @@
  * @brief   vtkOrthogonalSliceReconstruction as VTK users expect it
  */
 
+#include "Support/CheckEmbedding.h"
 #include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
 #include "Support/RandomInput.h"
@@ -175,6 +176,7 @@ TEST(ReconstructionFilter, EverySetterChangesTheTimeOnlyIfTheValueChanges)
     [&] { filter->SetInvalidContoursToLeaveOut(); },
     [&] { filter->SetInvalidContoursToRefuse(); },
     [&] { filter->SetInvalidContoursToMend(); },
+    [&] { filter->SetBorderContoursToLeaveOpen(); },
     [&] { filter->SetBorderContoursToRefuse(); },
     [&] { filter->SetBorderContoursToCloseAlongBorder(); },
     [&] { filter->SetCrossingContoursToRefuse(); },
@@ -437,13 +439,53 @@ TEST(ReconstructionFilter, MendsContoursWithOneWarningAndATable)
 }
 
 //----------------------------------------------------------------------------
+namespace
+{
+/// Edges of one triangle that do not lie on a plane.
+int CountOpenEdgesOff(const TriangleMesh& mesh, int axis, double coordinate)
+{
+  std::map<std::pair<std::int64_t, std::int64_t>, int> edges;
+  for (const auto& triangle : mesh.Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::int64_t a = triangle[i], b = triangle[(i + 1) % 3];
+      ++edges[{ std::min(a, b), std::max(a, b) }];
+    }
+  }
+  return static_cast<int>(std::count_if(edges.begin(), edges.end(),
+    [&](const auto& edge)
+    {
+      return edge.second == 1 &&
+        (mesh.Points[edge.first.first][axis] != coordinate ||
+          mesh.Points[edge.first.second][axis] != coordinate);
+    }));
+}
+}
+
 TEST(ReconstructionFilter, ContoursThatEndAtTheBorderAreClosedOrRefused)
 {
-  // A square bar that the image cuts off at x = 3.
-  const std::string text =
-    "y=1 open: 1,3 1,0 2,0 2,3; y=2 open: 1,3 1,0 2,0 2,3\n"
-    "z=1.2 open: 3,0.5 0,0.5 0,2.5 3,2.5; z=1.8 open: 3,2.5 0,2.5 0,0.5 3,0.5\n"
-    "x=1: 0.5,1 2.5,1 2.5,2 0.5,2; x=2: 0.5,1 2.5,1 2.5,2 0.5,2";
+  // A square bar that the image cuts off at x = 3. With few points it would be taken for complete.
+  const auto wall = [](const std::string& before, const std::string& after, bool forth)
+  {
+    std::string points;
+    for (int i = 0; i <= 10; ++i)
+    {
+      points += before + std::to_string(0.3 * (forth ? i : 10 - i)) + after + " ";
+    }
+    return points;
+  };
+  std::string text = "x=1: 0.5,1 2.5,1 2.5,2 0.5,2; x=2: 0.5,1 2.5,1 2.5,2 0.5,2";
+  for (const char* plane : { "1", "2" })
+  {
+    text += std::string("; y=") + plane + " open: " + wall("1,", "", false) + "1.3,0 1.5,0 1.7,0 " +
+      wall("2,", "", true);
+  }
+  for (const char* plane : { "1.2", "1.8" })
+  {
+    text += std::string("; z=") + plane + " open: " + wall("", ",0.5", false) + "0,1 0,1.5 0,2 " +
+      wall("", ",2.5", true);
+  }
   TextRun run{ text };
   vtkPolyData* surface = run.Update();
   EXPECT_TRUE(run.Errors.empty());
@@ -456,6 +498,24 @@ TEST(ReconstructionFilter, ContoursThatEndAtTheBorderAreClosedOrRefused)
   EXPECT_GE(bounds[1], 3.0);
   EXPECT_LE(bounds[1], 3.02) << "nothing beyond the border but two hundredths of a spacing";
   EXPECT_EQ(run.Filter->GetProblemTable()->GetNumberOfRows(), 4);
+  TextRun open{ text };
+  open.Filter->SetBorderContoursToLeaveOpen();
+  surface = open.Update();
+  ASSERT_EQ(open.Warnings.size(), 1u);
+  EXPECT_TRUE(Contains(open.Warnings[0], "left open")) << open.Warnings[0];
+  surface->GetBounds(bounds);
+  EXPECT_EQ(bounds[1], 3.0);
+  const TriangleMesh mesh = MeshOf(surface);
+  const SurfaceCheck check = CheckSurface(mesh);
+  EXPECT_GT(check.OpenEdges, 8);
+  EXPECT_EQ(check.CrowdedEdges + check.InconsistentEdges + check.DegenerateTriangles, 0);
+  EXPECT_EQ(check.UnusedPoints, 0);
+  EXPECT_TRUE(FindMeetings(mesh).empty());
+  EXPECT_EQ(CountOpenEdgesOff(mesh, 0, 3.0), 0);
+  EXPECT_EQ(
+    surface->GetPointData()->GetNormals()->GetNumberOfTuples(), surface->GetNumberOfPoints());
+  EXPECT_EQ(
+    surface->GetCellData()->GetArray("GridCell")->GetNumberOfTuples(), surface->GetNumberOfCells());
   TextRun refused{ text };
   refused.Filter->SetBorderContoursToRefuse();
   refused.Update();

@@ -49,6 +49,7 @@ struct Options
   LoopRule Loops = LoopRule::Union; ///< with Repair
   double RedrawnShare = 0.05;       ///< of the thickness of contours; see RemoveRedrawn
   bool SinglePrecision = false; ///< the result will be stored as float
+  double Quantum = 0.0;         ///< see SpatialGrid; 0: coordinates are not rounded on its account
   bool InsertMissing = true;    ///< contours that slices lack; see FindMissingContours
   AxisWeights Weights{ 1.0, 1.0, 1.0 };
   CentralPointMethod Central = CentralPointMethod::LeastSquares;

@@ -22,6 +22,7 @@ Pass::Pass(const Pass& first, Contours&& contours)
   result.Invalid = first.Result.Invalid;
   result.CrossingProblems = first.Result.CrossingProblems;
   result.Mended = first.Result.Mended;
+  result.OpenBorder = first.Result.OpenBorder;
   result.ContourCount = first.Result.ContourCount;
   result.Diagonal = first.Result.Diagonal;
   result.PolygonSizes = first.Result.PolygonSizes;
@@ -65,8 +66,8 @@ void Pass::Report(const std::vector<Repair>& repairs)
 
 void Pass::BuildGrid()
 {
-  this->Result.Grid =
-    BuildSpatialGrid(this->Tables.Contours, this->Tables.Tolerance, this->Settings.SinglePrecision);
+  this->Result.Grid = BuildSpatialGrid(this->Tables.Contours, this->Tables.Tolerance,
+    this->Settings.SinglePrecision, this->Settings.Quantum);
   LimitBounds(this->Tables.Border, this->Result.Grid);
 }
 }

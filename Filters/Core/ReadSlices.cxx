@@ -60,7 +60,14 @@ bool ReadContours(std::array<Pieces, 3>&& pieces, Pass& pass)
   PieceProblems problems = AssembleContours(std::move(pieces), settings, pass.Tables.Contours);
   pass.Result.Invalid = std::move(problems.Unusable);
   pass.Result.Mended = std::move(problems.Mended);
-  pass.Tables.Border = problems.Border;
+  if (settings.AtBorder == BorderContours::LeaveOpen)
+  {
+    pass.Result.OpenBorder = problems.Border;
+  }
+  else
+  {
+    pass.Tables.Border = problems.Border;
+  }
   if (pass.Tables.Contours.Count() == 0)
   {
     // Nothing was mended, but all left out.

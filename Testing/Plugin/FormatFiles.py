@@ -28,18 +28,19 @@ def ball_stack(radius=10.0, spacing=2.0, center=(0.0, 0.0, 0.0)):
 # --------------------------------------------------------------------------------------------------
 # DICOM
 
-def write_rtstruct(path, structures, modality="RTSTRUCT"):
-    """`structures`: number, name, colour, and contours as pairs of a geometric type and points."""
+def write_rtstruct(path, structures, modality="RTSTRUCT", implicit=False):
+    """`structures`: number, name, colour, and contours as pairs of a geometric type and points.
+    `implicit`: without the types of the elements, as some programs write."""
     from pydicom.dataset import Dataset, FileDataset, FileMetaDataset
     from pydicom.sequence import Sequence
-    from pydicom.uid import ExplicitVRLittleEndian, generate_uid
+    from pydicom.uid import ExplicitVRLittleEndian, ImplicitVRLittleEndian, generate_uid
 
     meta = FileMetaDataset()
     meta.MediaStorageSOPClassUID = "1.2.840.10008.5.1.4.1.1.481.3"
     meta.MediaStorageSOPInstanceUID = generate_uid()
-    meta.TransferSyntaxUID = ExplicitVRLittleEndian
+    meta.TransferSyntaxUID = ImplicitVRLittleEndian if implicit else ExplicitVRLittleEndian
     file = FileDataset(path, {}, file_meta=meta, preamble=b"\0" * 128)
-    file.is_little_endian, file.is_implicit_VR = True, False
+    file.is_little_endian, file.is_implicit_VR = True, implicit
     file.SOPClassUID = meta.MediaStorageSOPClassUID
     file.SOPInstanceUID = meta.MediaStorageSOPInstanceUID
     file.Modality = modality

@@ -10,10 +10,10 @@ import zipfile
 import numpy
 
 import FormatFiles as files
-from FormatChecks import FormatTest, loose_edges, volume_of
+from FormatChecks import OBLIQUE, FormatTest, loose_edges, volume_of
 from Formats import Dicom, read_structures
 from Formats.Filter import reconstruct
-from Formats.Structures import FormatError, Structure, loops_of, merged
+from Formats.Structures import FormatError, Structure, merged
 
 
 def has(module):
@@ -32,9 +32,14 @@ class Rtstruct(FormatTest):
                 (13, "Isocenter", (0, 0, 255), mark), (14, "Empty", None, [])]
 
     def check_read(self, access):
-        path = self.path("plan.dcm")
-        files.write_rtstruct(path, self.structures())
-        heart, tumor = Dicom.read_rtstruct(path, access)
+        for implicit in (False, True):
+            with self.subTest(implicit=implicit):
+                path = self.path("plan.dcm")
+                files.write_rtstruct(path, self.structures(), implicit=implicit)
+                heart, tumor = Dicom.read_rtstruct(path, access)
+                self.check_structures(heart, tumor)
+
+    def check_structures(self, heart, tumor):
         self.assertEqual((heart.name, heart.label, heart.color), ("Heart", 7, (255, 0, 10)))
         self.assertEqual((tumor.name, tumor.label, tumor.color), ("Tumor bed 1", 12, None))
         self.check_loops(heart, files.ball_stack(center=(5, -3, 40)), 0.005 + 1e-9)
@@ -167,16 +172,16 @@ class CrossSections(FormatTest):
                 numpy.testing.assert_array_equal(loop[:, :2].max(axis=0), (low + 5, 5))
             self.assertAlmostEqual(volume_of(reconstruct(structure)), 75.0, delta=1.0)
 
-    def test_planes_of_all_directions_are_sorted(self):
-        circles = [files.circle(3, z) for z in (-1.0, 0.0, 1.0)]
-        planes = [((0, 0, 0, 0), [(1, "", loop[:, order])])
-                  for order in ((0, 1, 2), (1, 2, 0), (2, 0, 1)) for loop in circles]
-        files.write_csl(self.path("three.csl"), planes)
-        structure, = read_structures(self.path("three.csl"))
-        self.assertEqual([piece.GetNumberOfLines() for piece in structure.contours()], [3, 3, 3])
-        for axis, piece in enumerate(structure.contours()):
-            for loop in loops_of(piece):
-                self.assertEqual(numpy.ptp(loop[:, axis]), 0.0)
+    def test_planes_may_have_any_direction(self):
+        """Sections of a ball across the axes of a turned frame."""
+        planes = []
+        for order in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
+            planes += [((0, 0, 0, 0), [(1, "", loop[:, order] @ OBLIQUE.T + (3, 4, 5))])
+                       for loop in files.ball_stack()]
+        files.write_csl(self.path("turned.csl"), planes)
+        structure, = read_structures(self.path("turned.csl"))
+        self.assertEqual(len(structure.loops), 30)
+        self.check_ball(structure, (3, 4, 5))
 
     def test_files_that_end_early_are_refused(self):
         with self.assertRaisesRegex(FormatError, "ends too early"):

@@ -26,7 +26,9 @@ struct PieceProblems
 {
   std::vector<Problem> Unusable; ///< their contours are not there
   std::vector<Problem> Mended;   ///< with Mend: mended, or left out
-  Box3 Border = Everywhere();    ///< contours were closed along its sides, and none lies beyond
+  /// Contours were closed along the sides of this box, or continued beyond them, and no contour of the
+  /// input lies beyond.
+  Box3 Border = Everywhere();
 };
 
 /**

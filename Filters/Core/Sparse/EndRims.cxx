@@ -13,8 +13,10 @@ namespace orthoslices
 {
 namespace
 {
-/// So much of a guide's way, seen along the stack, has to keep its level.
-constexpr double LevelShare = 0.8;
+/// So much of a guide's way, seen along the stack, has to keep its level: corners may be rounded. Of a
+/// dome like a parabola, less than that is within a fifth of its height from the top.
+constexpr double LevelShare = 0.5;
+constexpr double LevelDepth = 0.2;
 /// A corner of a rim is at most so much farther out than its sides.
 constexpr double MaxMitre = 2.0;
 
@@ -29,7 +31,7 @@ struct LoopPlace
 /// What a piece shows that does not go on to another slice.
 struct PieceEnd
 {
-  double Height = 0.0; ///< its greatest distance from the slice
+  double Height = 0.0;             ///< its greatest distance from the slice
   std::size_t First = 0, Last = 0; ///< points on the level that it keeps; the same if it keeps none
   LoopPlace AtStart, AtEnd;        ///< of no loop where it begins or ends at another guide
 };
@@ -96,8 +98,7 @@ Point3 OutwardsOf(const NodeGraph& graph, Index loop, Index side)
   const Index count = graph.PointCount(arc);
   Point3 axis{};
   axis[graph.Loops[loop].Axis] = 1.0;
-  return Unit(
-    Cross(graph.PointAt(first + (side + 1) % count) - graph.PointAt(first + side), axis));
+  return Unit(Cross(graph.PointAt(first + (side + 1) % count) - graph.PointAt(first + side), axis));
 }
 
 /// The plane on which a piece begins and ends; the only one, if at one end it meets another guide;
@@ -123,9 +124,10 @@ void LoopEndFinder::FindLevel(const GuidePiece& piece, PieceEnd& end) const
   const auto& points = piece.Points;
   std::size_t first = points.size(), last = 0;
   double all = 0.0, level = 0.0;
+  const double depth = std::min(this->Flat, LevelDepth * end.Height);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const bool isLevel = this->Rise(piece, points[i]) >= end.Height - this->Flat;
+    const bool isLevel = this->Rise(piece, points[i]) >= end.Height - depth;
     Point3 way = i > 0 ? points[i] - points[i - 1] : Point3{};
     way[this->Guides.StackAxis] = 0.0;
     all += Length(way);
@@ -170,8 +172,8 @@ void LoopEndFinder::Note(const GuidePiece& piece)
     const double upwards = this->Rise(piece, corner);
     const bool isRim = end.First < end.Last && std::abs(outwards) <= upwards;
     LoopEnd& known = this->Ends[2 * place.Loop + (piece.Slab > PlaneOf(piece) ? 1 : 0)];
-    known.Kind = CombineEnds(known.Kind,
-      end.Height < this->Flat ? EndKind::Flat : (isRim ? EndKind::Rim : EndKind::Dome));
+    known.Kind = CombineEnds(
+      known.Kind, end.Height < this->Flat ? EndKind::Flat : (isRim ? EndKind::Rim : EndKind::Dome));
     known.Height = std::max(known.Height, end.Height);
     known.Anchors.push_back({ place.Along, outwards, upwards });
   }

@@ -41,7 +41,8 @@ struct LoopEnd
  * object ends there, if it ends there at all: by the guides that begin or end on the loop, or nearest
  * to it, and do not go on to another slice. It ends flat where none of these goes farther than
  * FlatShare of the spacing. It has a rim where each of them rises by a wall, at most as far sideways
- * as upwards, to a level that it keeps, but for FlatShare of the spacing, over most of its way.
+ * as upwards, to a level that it keeps, but for FlatShare of the spacing and a fifth of its height, over
+ * more than half of its way.
  */
 std::vector<LoopEnd> FindLoopEnds(const NodeGraph& graph, const GuideCurves& guides);
 

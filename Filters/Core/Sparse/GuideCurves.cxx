@@ -81,13 +81,15 @@ void ContourCutter::CutSide(const Point3& from, const Point3& to)
       cuts.emplace_back(a / (a - b), -1);
     }
   }
-  std::stable_sort(cuts.begin(), cuts.end(),
-    [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(
+    cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (const auto& [share, plane] : cuts)
   {
     const Index before = this->Stations.back().Slab;
     const Index behind = plane < 0 ? before : (slab < end ? plane + 1 : plane);
-    this->Stations.push_back({ Between(from, to, share), true, plane, behind });
+    Point3 place = Between(from, to, share);
+    place[axis] = plane < 0 ? place[axis] : this->Curves.StackPlanes[plane];
+    this->Stations.push_back({ place, true, plane, behind });
   }
 }
 

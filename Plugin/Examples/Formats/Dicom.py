@@ -54,20 +54,22 @@ class GdcmAccess:
     def __init__(self):
         import gdcm
         self.library = gdcm
-        self.reader = None
+        self.kept = [] # readers and sequences own the data sets that they give away
 
     def read(self, path):
-        self.reader = self.library.Reader() # keeps the data sets alive
-        self.reader.SetFileName(path)
-        if not self.reader.Read():
+        reader = self.library.Reader()
+        self.kept.append(reader)
+        reader.SetFileName(path)
+        if not reader.Read():
             raise FormatError(f"{path} is no DICOM file that GDCM can read.")
-        return self.reader.GetFile().GetDataSet()
+        return reader.GetFile().GetDataSet()
 
     def items(self, dataset, tag):
         tag = self.library.Tag(*tag)
         if not dataset.FindDataElement(tag):
             return []
         sequence = dataset.GetDataElement(tag).GetValueAsSQ()
+        self.kept.append(sequence)
         return [sequence.GetItem(i + 1).GetNestedDataSet()
                 for i in range(sequence.GetNumberOfItems())]
 
@@ -75,8 +77,8 @@ class GdcmAccess:
         tag = self.library.Tag(*tag)
         if not dataset.FindDataElement(tag):
             return ""
-        value = dataset.GetDataElement(tag).GetValue()
-        return str(value).strip("\0 ") if value else ""
+        value = dataset.GetDataElement(tag).GetByteValue()
+        return value.GetBuffer().strip("\0 ") if value else ""
 
 
 def find_access(kinds=(PydicomAccess, GdcmAccess)):

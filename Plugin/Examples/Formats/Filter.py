@@ -23,6 +23,10 @@ from .Structures import FormatError, Structure, run
 # Scans have thousands of values, the finest atlases some hundred labels.
 MOST_LABELS = 1000
 
+# Inputs of vtkOrthogonalSliceReconstruction: x-, y- and z-slices, and contours on any planes.
+SLICES_PORTS = (0, 1, 2)
+CONTOURS_PORT = 3
+
 MODULE = "orthogonalslices.vtkFiltersOrthogonalSlices"
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
 PARAVIEW_BUILDS = ("build/paraview", "build/demo/paraview")
@@ -55,9 +59,9 @@ def reconstruct(structure, properties=None):
     without "Set", and their values."""
     filters = load_filters()
     reconstruction = filters.vtkOrthogonalSliceReconstruction()
-    for axis, contours in enumerate(structure.contours()):
-        if contours.GetNumberOfLines() > 0:
-            reconstruction.SetInputData(axis, contours)
+    contours = structure.contours()
+    for port, piece in zip((CONTOURS_PORT,) if len(contours) == 1 else SLICES_PORTS, contours):
+        reconstruction.SetInputData(port, piece)
     for name, value in (properties or {}).items():
         setter = getattr(reconstruction, "Set" + name, None)
         if setter is None:

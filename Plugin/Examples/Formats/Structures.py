@@ -11,9 +11,6 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkCommand, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-# Points of a contour that differ by no more than this share of its size lie on one plane.
-PLANE_TOLERANCE = 1e-3
-
 
 class FormatError(Exception):
     """A file that cannot be read, in one sentence for the user."""
@@ -43,7 +40,7 @@ class Structure:
     label    a positive integer, its value in label images
     color    red, green and blue from 0 to 255, or None
     loops    its contours: arrays of points (n x 3); a closed contour ends with its first point
-    slices   instead of loops: contours sorted already, on x-, y- and z-slices (vtkPolyData)
+    slices   instead of loops: what vtkOrthogonalSlicer makes, three vtkPolyData
     """
 
     def __init__(self, name, label=1, color=None, loops=(), slices=None):
@@ -69,13 +66,8 @@ class Structure:
         self.loops += other.loops
 
     def contours(self):
-        """The contours on x-, y- and z-slices: three vtkPolyData, some of which may be empty."""
-        if self.slices is not None:
-            return self.slices
-        families = [[], [], []]
-        for loop, axis in zip(self.loops, families_of(self.loops)):
-            families[axis].append(loop)
-        return [polylines(loops) for loops in families]
+        """The contours as vtkPolyData: one with all of them, or three with those of each port."""
+        return self.slices or [polylines(self.loops)]
 
     def number_of_contours(self):
         return len(self.loops) or sum(piece.GetNumberOfLines() for piece in self.slices or ())
@@ -112,40 +104,6 @@ def loops_of(data):
             cell = ids[begin:end]
             loops.append(points[numpy.append(cell, cell[:1]) if closed else cell])
     return loops
-
-
-# --------------------------------------------------------------------------------------------------
-# Planes
-
-def families_of(loops):
-    """For each contour the axis, 0, 1 or 2, that its plane is most nearly perpendicular to.
-
-    A straight piece lies on planes of all directions: it goes to those that have other contours at
-    its coordinate, or else to where most contours are.
-    """
-    candidates = [candidate_axes(loop) for loop in loops]
-    planes = [set(), set(), set()]
-    counts = [0, 0, 0]
-    for loop, axes in zip(loops, candidates):
-        if len(axes) == 1:
-            counts[axes[0]] += 1
-            planes[axes[0]].add(float(loop[0, axes[0]]))
-    most = sorted(range(3), key=lambda axis: -counts[axis])
-    families = []
-    for loop, axes in zip(loops, candidates):
-        known = [axis for axis in axes if float(loop[0, axis]) in planes[axis]] or axes
-        families.append(next(axis for axis in most if axis in known))
-    return families
-
-
-def candidate_axes(loop):
-    """The axes along which a contour stays on one plane; of an inclined contour the closest one."""
-    extents = loop.max(axis=0) - loop.min(axis=0)
-    flat = [axis for axis in range(3) if extents[axis] <= PLANE_TOLERANCE * extents.max()]
-    if flat:
-        return flat
-    normal = numpy.linalg.svd(loop - loop.mean(axis=0), full_matrices=False)[2][-1]
-    return [int(numpy.argmax(abs(normal)))] if len(loop) > 2 else [0, 1, 2]
 
 
 # --------------------------------------------------------------------------------------------------
