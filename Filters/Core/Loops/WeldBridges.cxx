@@ -16,8 +16,8 @@ namespace
 {
 /// How long a bridge is at least, and how thick the hole behind it, in widths of the bridge.
 constexpr double LeastLength = 5.0;
-/// So many of the longest sides may be those of bridges; of a contour with more sides, those that are
-/// longer than so many mean ones.
+/// So many of the longest sides may be those of bridges; of a contour with more sides, those that
+/// are longer than so many mean ones.
 constexpr std::size_t MostSides = 64;
 constexpr double LongSide = 2.0;
 
@@ -91,8 +91,8 @@ bool BridgeWelder::IsBridge(Index s, Index t, double width) const
     this->HasHoleBehind(s, t, distance);
 }
 
-/// Whether what is between the ends of two sides on one way around is a hole, and on the other way the
-/// outline.
+/// Whether what is between the ends of two sides on one way around is a hole, and on the other way
+/// the outline.
 bool BridgeWelder::HasHoleBehind(Index s, Index t, double width) const
 {
   // From the end of the first side to the start of the second, in the order along the contour.
