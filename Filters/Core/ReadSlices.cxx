@@ -6,7 +6,7 @@
 #include "Core/Loops/RedrawnContours.h"
 #include "Core/Loops/ResolveLoops.h"
 #include "Core/Loops/WeldBridges.h"
-#include "Core/Slices/AssembleContours.h"
+#include "Core/Pieces/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
 #include "Core/Sparse/MissingContours.h"
 
