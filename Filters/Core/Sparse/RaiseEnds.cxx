@@ -3,6 +3,7 @@
 #include "Core/Sparse/RaiseEnds.h"
 
 #include "Core/Graph/CycleGeometry.h"
+#include "Core/Patches/CentralPoints.h"
 
 #include <algorithm>
 #include <limits>
@@ -38,6 +39,13 @@ private:
   double LevelOf(Index loop) const
   {
     return this->Graph.PointAt(this->Graph.FirstPoint(this->Graph.Arcs + loop))[this->Axis];
+  }
+  /// As FlattenEnds has it, next to the slice: what lies in it counts as above it, which at a lower
+  /// end would be inside the object.
+  double FlatLevelOf(Index patch, Index loop) const
+  {
+    return this->Geometry.Grid.MoveInside(this->Axis, this->Geometry.Cycles.Cell[patch][this->Axis],
+      this->LevelOf(loop), CentralPointMargin);
   }
   bool IsFlat(Index patch) const;
   std::array<double, 2> FindMeanHeights() const;
@@ -280,7 +288,7 @@ StackEnds EndRaiser::Run(GuideCurves& guides)
     }
     else if (kind == EndKind::Flat)
     {
-      this->MoveInner(patch, this->LevelOf(loops.front()));
+      this->MoveInner(patch, this->FlatLevelOf(patch, loops.front()));
     }
   }
   CutAtRims(this->Graph, this->Ends, guides);
