@@ -10,7 +10,7 @@
 
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Reconstruct.h"
-#include "Core/Slices/AssembleContours.h"
+#include "Core/Pieces/AssembleContours.h"
 #include "Support/CheckSurface.h"
 #include "Support/RandomInput.h"
 #include "Support/TextContours.h"
@@ -115,7 +115,10 @@ inline Contours UsableContours(const PieceSets& pieces, const Options& options, 
 {
   Contours contours;
   Options untilThen = options;
-  untilThen.Invalid = InvalidContours::LeaveOut;
+  if (options.Invalid == InvalidContours::Refuse)
+  {
+    untilThen.Invalid = InvalidContours::LeaveOut;
+  }
   Execution execution;
   execution.Continue = [](double progress) { return progress < 0.3; };
   Reconstruct(PieceSets(pieces), untilThen, execution,

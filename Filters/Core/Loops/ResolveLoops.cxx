@@ -6,6 +6,8 @@
 #include "Core/Base/Predicates.h"
 #include "Core/Base/Vectors.h"
 #include "Core/Loops/LoopMeetings.h"
+#include "Core/Loops/LoopRegions.h"
+#include "Core/Loops/SlightMeetings.h"
 #include "Core/Loops/TraceRegion.h"
 #include "Core/Slices/OrientContours.h"
 
@@ -17,8 +19,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Loops that are thinner (twice their area by their length), as a share of the extent of their slice,
-/// are what rounding leaves between contours that should run along each other.
+/// Loops that are thinner (twice their area by their length), as a share of the extent of their
+/// slice, are what rounding leaves between contours that should run along each other.
 constexpr double LeastThickness = 1e-4;
 
 /// Where the interior is.
@@ -64,7 +66,8 @@ private:
   const std::vector<Index>& Members;
   std::vector<std::vector<Point2>> Polygons;
   double Extent = 0.0;
-  /// Of each walk: whether it is a simple polygon that no other one meets, with the polygon's corners.
+  /// Of each walk: whether it is a simple polygon that no other one meets, with the polygon's
+  /// corners.
   std::vector<std::uint8_t> IsLone;
   ResolvedSlice Result;
 };
@@ -251,12 +254,13 @@ ResolvedSlice SliceResolver::Run(LoopRule rule, LoopSide side)
     this->Extent = std::max(this->Extent, (*range.second)[axis] - (*range.first)[axis]);
   }
   const PlaneFaces faces(walks);
-  const LoopRegions regions(walks, faces);
-  if (rule == LoopRule::Union && regions.AreMeetingsSlight())
+  const LoopWindings windings(walks, faces);
+  if (rule == LoopRule::Union && AreMeetingsSlight(windings))
   {
     this->ReportSlight(meetings);
     return std::move(this->Result);
   }
+  const LoopRegions regions(windings);
   std::vector<TracedLoop> loops = TraceRegion(walks, faces,
     side == LoopSide::Surrounded ? regions.FindInside(rule)
                                  : regions.FindInsideAsDrawn(rule, side == LoopSide::InsideOut));

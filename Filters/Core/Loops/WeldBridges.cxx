@@ -16,10 +16,10 @@ namespace
 {
 /// How long a bridge is at least, and how thick the hole behind it, in widths of the bridge.
 constexpr double LeastLength = 5.0;
-/// Contours of up to so many sides are drawn by corners: any of the sides may be that of a bridge.
-constexpr Index FewSides = 64;
-/// Else it is longer than so many mean sides.
-constexpr double LongSide = 4.0;
+/// So many of the longest sides may be those of bridges; of a contour with more sides, those that
+/// are longer than so many mean ones.
+constexpr std::size_t MostSides = 64;
+constexpr double LongSide = 2.0;
 
 Point2 NearestOn(const Point2& p, const Point2& q, const Point2& x)
 {
@@ -41,6 +41,8 @@ public:
   std::vector<Point2> Weld(Index contour);
 
 private:
+  void Read(Index contour);
+  bool FindBridges();
   std::vector<Index> FindLongSides() const;
   const Point2& At(Index vertex) const { return this->Polygon[vertex % this->Polygon.size()]; }
   bool IsBridge(Index s, Index t, double width) const;
@@ -59,15 +61,21 @@ private:
 
 std::vector<Index> BridgeWelder::FindLongSides() const
 {
-  const Index count = static_cast<Index>(this->Lengths.size());
-  const double least = count <= FewSides ? 0.0 : LongSide * this->Length / count;
+  const std::size_t count = this->Lengths.size();
+  const double least = count <= MostSides ? 0.0 : LongSide * this->Length / count;
   std::vector<Index> sides;
-  for (Index i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
     if (this->Lengths[i] > least)
     {
-      sides.push_back(i);
+      sides.push_back(static_cast<Index>(i));
     }
+  }
+  if (sides.size() > MostSides)
+  {
+    std::stable_sort(sides.begin(), sides.end(),
+      [this](Index a, Index b) { return this->Lengths[a] > this->Lengths[b]; });
+    sides.resize(MostSides);
   }
   return sides;
 }
@@ -83,8 +91,8 @@ bool BridgeWelder::IsBridge(Index s, Index t, double width) const
     this->HasHoleBehind(s, t, distance);
 }
 
-/// Whether what is between the ends of two sides on one way around is a hole, and on the other way the
-/// outline.
+/// Whether what is between the ends of two sides on one way around is a hole, and on the other way
+/// the outline.
 bool BridgeWelder::HasHoleBehind(Index s, Index t, double width) const
 {
   // From the end of the first side to the start of the second, in the order along the contour.
@@ -121,28 +129,33 @@ void BridgeWelder::WeldSides(Index s, Index t)
   this->Inserted[s].emplace_back(SquaredDistance(a, from), from);
 }
 
-std::vector<Point2> BridgeWelder::Weld(Index contour)
+/// The corners, counter-clockwise, and the lengths of the sides.
+void BridgeWelder::Read(Index contour)
 {
-  const double area = 0.5 * TwiceSignedArea(this->Set, contour);
   this->Polygon.clear();
   this->Lengths.clear();
   for (Index i = this->Set.Offsets[contour]; i < this->Set.Offsets[contour + 1]; ++i)
   {
     this->Polygon.push_back({ this->Set.U[i], this->Set.V[i] });
   }
-  if (area < 0.0)
+  if (this->Area < 0.0)
   {
     std::reverse(this->Polygon.begin(), this->Polygon.end());
   }
   for (std::size_t i = 0; i < this->Polygon.size(); ++i)
   {
-    this->Lengths.push_back(Distance(this->At(static_cast<Index>(i)), this->At(static_cast<Index>(i) + 1)));
+    const Point2 side = this->At(static_cast<Index>(i) + 1) - this->Polygon[i];
+    this->Lengths.push_back(std::sqrt(Dot(side, side)));
   }
   this->Length = std::accumulate(this->Lengths.begin(), this->Lengths.end(), 0.0);
-  const double width = this->Share * 2.0 * std::abs(area) / this->Length;
+  this->Inserted.clear();
+}
+
+/// Whether there are bridges; notes what has to be inserted.
+bool BridgeWelder::FindBridges()
+{
+  const double width = this->Share * 2.0 * std::abs(this->Area) / this->Length;
   const std::vector<Index> sides = this->FindLongSides();
-  this->Inserted.assign(this->Polygon.size(), {});
-  bool isChanged = false;
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
@@ -152,13 +165,24 @@ std::vector<Point2> BridgeWelder::Weld(Index contour)
       const Index t = isLonger ? sides[j] : sides[i];
       if (this->IsBridge(s, t, width))
       {
+        this->Inserted.resize(this->Polygon.size());
         this->WeldSides(s, t);
-        isChanged = true;
       }
     }
   }
+  return !this->Inserted.empty();
+}
+
+std::vector<Point2> BridgeWelder::Weld(Index contour)
+{
+  this->Area = 0.5 * TwiceSignedArea(this->Set, contour);
+  this->Read(contour);
+  if (!this->FindBridges())
+  {
+    return {};
+  }
   std::vector<Point2> welded;
-  for (std::size_t i = 0; i < this->Polygon.size() && isChanged; ++i)
+  for (std::size_t i = 0; i < this->Polygon.size(); ++i)
   {
     welded.push_back(this->Polygon[i]);
     std::sort(this->Inserted[i].begin(), this->Inserted[i].end());
@@ -170,7 +194,7 @@ std::vector<Point2> BridgeWelder::Weld(Index contour)
       }
     }
   }
-  if (area < 0.0)
+  if (this->Area < 0.0)
   {
     std::reverse(welded.begin(), welded.end());
   }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Slices/AssembleContours.h"
+#include "Core/Pieces/AssembleContours.h"
 
 #include "Support/Perturbations.h"
 #include "Support/Random.h"
@@ -405,6 +405,21 @@ TEST(AssembleContours, LoopsWithZeroSignedAreaAreNotFlat)
   const Assembled result = Mend("z=0: 0,0 2,2 2,0 0,2; z=1: 0,0 1,0 1,1 2,1 2,2 1,2 1,1 0,1");
   EXPECT_EQ(result.Set.Count(), 2);
   EXPECT_TRUE(result.Problems.empty());
+}
+
+//----------------------------------------------------------------------------
+TEST(AssembleContours, FigureEightsThatDoNotRepeatTheirFirstPointAreNoOverruns)
+{
+  const Assembled result = Mend("z=0 open: 0,0 2,2 2,0 0,2; z=1 open: 0,0 2,2 2,0 0,2");
+  ASSERT_EQ(result.Set.Count(), 2);
+  EXPECT_EQ(result.Set.Size(0), 4);
+  EXPECT_TRUE(result.Problems.empty());
+  // A square that runs on by a tenth of its sides is one.
+  const Assembled square = Mend("z=0 open: 0,0 2,0 2,2 0,2 0,-0.2; z=1 open: 0,0 2,0 2,2 0,2");
+  EXPECT_EQ(square.Set.Count(), 2);
+  EXPECT_EQ(square.Set.Size(1), 4);
+  ASSERT_EQ(square.Problems.size(), 1u);
+  EXPECT_EQ(square.Problems[0].Kind, ProblemKind::OverrunTrimmed);
 }
 
 //----------------------------------------------------------------------------

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Slices/AssembleSet.h"
+#include "Core/Pieces/AssembleSet.h"
 
-#include "Core/Slices/AddLoop.h"
-#include "Core/Slices/JoinPieces.h"
-#include "Core/Slices/PiecePlanes.h"
-#include "Core/Slices/TrimOverrun.h"
+#include "Core/Pieces/AddLoop.h"
+#include "Core/Pieces/JoinPieces.h"
+#include "Core/Pieces/PiecePlanes.h"
+#include "Core/Pieces/TrimOverrun.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,10 @@ namespace orthoslices
 {
 namespace
 {
+/// A piece whose ends are near to each other may have run past its start by this share of its length. If
+/// it crosses itself farther from its ends, it is a figure eight, and both parts of it count.
+constexpr double OverrunOfComplete = 0.15;
+
 /// Makes contours of the pieces of one axis.
 class SetAssembler
 {
@@ -255,7 +259,9 @@ bool SetAssembler::TreatOpen(const PieceChains& chains, Index chain, OpenCurve& 
     {
       return false;
     }
-    if (TrimOverrun(curve) || !isComplete)
+    const double length = curve.Length();
+    const bool isTrimmed = TrimOverrun(curve);
+    if (!isComplete || (isTrimmed && curve.Trimmed <= OverrunOfComplete * length))
     {
       this->ReportShift(chains, chain);
       return true;
