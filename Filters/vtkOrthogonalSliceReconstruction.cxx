@@ -78,6 +78,11 @@ constexpr Choice<orthoslices::VirtualSlices> VirtualSlicesModes[] = {
   { Filter::NO_VIRTUAL_SLICES, orthoslices::VirtualSlices::Off, "Off" },
   { Filter::VIRTUAL_SLICES_BY_SPACING, orthoslices::VirtualSlices::BySpacing, "BySpacing" }
 };
+constexpr Choice<orthoslices::EndCaps> EndCapsModes[] = {
+  { Filter::DOME_ENDS, orthoslices::EndCaps::Dome, "Dome" },
+  { Filter::FLAT_ENDS, orthoslices::EndCaps::Flat, "Flat" },
+  { Filter::HALF_SLICE_ENDS, orthoslices::EndCaps::HalfSlice, "HalfSlice" }
+};
 constexpr Choice<orthoslices::SeveralCycles> SeveralCyclesModes[] = {
   { Filter::BY_EVIDENCE, orthoslices::SeveralCycles::ByEvidence, "ByEvidence" },
   { Filter::DISCS, orthoslices::SeveralCycles::Discs, "Discs" }
@@ -118,7 +123,7 @@ constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
 static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
     IsIndexed(BorderContoursModes) && IsIndexed(CrossingContoursModes) && IsIndexed(LoopRules) &&
     IsIndexed(Frames) && IsIndexed(VirtualSlicesModes) && IsIndexed(SeveralCyclesModes) &&
-    IsIndexed(Correspondences) && IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
+    IsIndexed(EndCapsModes) && IsIndexed(Correspondences) && IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
   "The setters clamp properties to their first and last value");
 
 /// One for each family, and one for contours of any families.
@@ -382,6 +387,7 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.InsertMissing = this->InsertMissingContours;
   options.Virtual = VirtualSlicesModes[this->VirtualSlices].Value;
   options.VirtualSpacing = this->VirtualSliceSpacing;
+  options.Ends = EndCapsModes[this->EndCaps].Value;
   options.Invalid = InvalidContoursModes[this->InvalidContours].Value;
   options.AtBorder = BorderContoursModes[this->BorderContours].Value;
   options.Crossing = CrossingContoursModes[this->CrossingContours].Value;
@@ -505,6 +511,7 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InsertMissingContours: " << (this->InsertMissingContours ? "On" : "Off") << "\n";
   os << indent << "VirtualSlices: " << VirtualSlicesModes[this->VirtualSlices].Name << "\n";
   os << indent << "VirtualSliceSpacing: " << this->VirtualSliceSpacing << "\n";
+  os << indent << "EndCaps: " << EndCapsModes[this->EndCaps].Name << "\n";
   os << indent << "SeveralCycles: " << SeveralCyclesModes[this->SeveralCycles].Name << "\n";
   os << indent << "Correspondence: " << Correspondences[this->Correspondence].Name << "\n";
   os << indent << "ExpectedComponents: " << this->ExpectedComponents << "\n";

@@ -260,6 +260,13 @@ public:
     VIRTUAL_SLICES_BY_SPACING = 2
   };
 
+  enum EndCapsMode
+  {
+    DOME_ENDS = 0,
+    FLAT_ENDS = 1,
+    HALF_SLICE_ENDS = 2
+  };
+
   enum CorrespondenceMode
   {
     CORRESPOND_BY_EVIDENCE = 0,
@@ -455,6 +462,26 @@ public:
   void SetVirtualSlicesToBySpacing() { this->SetVirtualSlices(VIRTUAL_SLICES_BY_SPACING); }
   vtkSetClampMacro(VirtualSliceSpacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(VirtualSliceSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * How the object ends where there is one family of slices. Dome (default): in domes, half a spacing
+   * high at most, or flat at the last slice where the last section is at least 0.98 of the one before.
+   * Flat: flat at the last slice of each part, also where a part ends between two slices; what is on
+   * one slice alone keeps its domes. Half slice: walls go on from the first and the last slice at right
+   * angles, by half the distance of the two slices there (half the mean distance at most), and end flat,
+   * so that each of equally spaced slices stands for one spacing: the volume of a cylinder of n slices is
+   * n times area times spacing, as in treatment planning. A single slice becomes a plate, half as thick
+   * as the greater extent of its contours. Parts that end between two slices end there in domes. The
+   * rims are copies of the last contours on virtual planes, which the outputs say (see VirtualSlices).
+   * With two families and more, slices across show the ends, and nothing changes.
+   */
+  vtkSetClampMacro(EndCaps, int, DOME_ENDS, HALF_SLICE_ENDS);
+  vtkGetMacro(EndCaps, int);
+  void SetEndCapsToDome() { this->SetEndCaps(DOME_ENDS); }
+  void SetEndCapsToFlat() { this->SetEndCaps(FLAT_ENDS); }
+  void SetEndCapsToHalfSlice() { this->SetEndCaps(HALF_SLICE_ENDS); }
   ///@}
 
   ///@{
@@ -718,6 +745,7 @@ private:
   bool InsertMissingContours = true;
   int VirtualSlices = AUTOMATIC_VIRTUAL_SLICES;
   double VirtualSliceSpacing = 0.0;
+  int EndCaps = DOME_ENDS;
   bool ComputeNormals = true;
   bool ComputeCurvatures = false;
   int OutputPointsPrecision = DEFAULT_PRECISION;

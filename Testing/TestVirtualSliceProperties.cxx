@@ -112,6 +112,11 @@ TEST(VirtualSliceProperties, DefaultsAndRanges)
   EXPECT_EQ(filter->GetVirtualSlices(), Filter::VIRTUAL_SLICES_BY_SPACING);
   filter->SetVirtualSlices(-9);
   EXPECT_EQ(filter->GetVirtualSlices(), Filter::AUTOMATIC_VIRTUAL_SLICES);
+  EXPECT_EQ(filter->GetEndCaps(), Filter::DOME_ENDS);
+  filter->SetEndCaps(9);
+  EXPECT_EQ(filter->GetEndCaps(), Filter::HALF_SLICE_ENDS);
+  filter->SetEndCaps(-9);
+  EXPECT_EQ(filter->GetEndCaps(), Filter::DOME_ENDS);
   filter->SetVirtualSliceSpacing(-1.0);
   EXPECT_EQ(filter->GetVirtualSliceSpacing(), 0.0);
 }
@@ -124,6 +129,9 @@ TEST(VirtualSliceProperties, SettersChangeTheTimeAndAreAllPrinted)
     { "VirtualSlices: BySpacing", [](Filter* f) { f->SetVirtualSlicesToBySpacing(); } },
     { "VirtualSlices: Automatic", [](Filter* f) { f->SetVirtualSlicesToAutomatic(); } },
     { "VirtualSliceSpacing: 0.125", [](Filter* f) { f->SetVirtualSliceSpacing(0.125); } },
+    { "EndCaps: Flat", [](Filter* f) { f->SetEndCapsToFlat(); } },
+    { "EndCaps: HalfSlice", [](Filter* f) { f->SetEndCapsToHalfSlice(); } },
+    { "EndCaps: Dome", [](Filter* f) { f->SetEndCapsToDome(); } },
   });
 }
 

@@ -123,7 +123,7 @@ bool PatchCells(Pass& pass)
   PatchAllCells(
     pass.Settings, pass.Execute, [&](Stage stage) { pass.Finish(stage); }, pass.Tables.NodeNormals,
     pass.Result);
-  if (!pass.Result.Grid.HasVirtual()) // else they are known
+  if (pass.ShowsDoubts()) // else they are known
   {
     ListDoubts(pass.Result);
   }

@@ -8,6 +8,7 @@
 #include "Core/Crossings/ReconcileSlices.h"
 #include "Core/Loops/LoopRule.h"
 #include "Core/Patches/CentralPoints.h"
+#include "Core/Patches/Domes.h"
 #include "Core/Patches/InnerPatches.h"
 #include "Core/Pieces/ImageBorder.h"
 #include "Core/Slices/OrientContours.h"
@@ -58,6 +59,7 @@ struct Options
     CorrespondenceCriterion::ByEvidence; ///< with SeveralCycles::ByEvidence
   PriorKnowledge Known;
   PatchOptions Patching;
+  EndCaps Ends = EndCaps::Dome; ///< of one family of slices; others show their ends themselves
   double Smoothing = 0.0;        ///< of contours, in mean plane spacings; see SmoothContours
   double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
   VirtualSlices Virtual = VirtualSlices::Off;

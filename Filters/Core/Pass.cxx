@@ -4,6 +4,8 @@
 
 #include "Core/CheckInvariants.h"
 #include "Core/RealSlices.h"
+#include "Core/Slices/EndSlices.h"
+#include "Core/Sparse/SelectContours.h"
 
 #include <cstdlib>
 #include <iostream>
@@ -18,6 +20,7 @@ Pass::Pass(const Pass& first, Contours&& contours)
   this->Tables.Border = first.Tables.Border;
   this->Tables.Contours = std::move(contours);
   this->Inserted = first.Inserted;
+  this->Bounds = first.Bounds;
   Reconstruction& result = this->Result;
   result.Invalid = first.Result.Invalid;
   result.CrossingProblems = first.Result.CrossingProblems;
@@ -69,5 +72,19 @@ void Pass::BuildGrid()
   this->Result.Grid = BuildSpatialGrid(this->Tables.Contours, this->Tables.Tolerance,
     this->Settings.SinglePrecision, this->Settings.Quantum);
   LimitBounds(this->Tables.Border, this->Result.Grid);
+  LimitBoundsTo(this->Bounds, this->Result.Grid);
+}
+
+void Pass::AddEndSlices()
+{
+  const EndSlices ends =
+    CopyEndSlices(this->Tables.Contours, this->Result.Grid, this->Tables.Tolerance);
+  if (ends.Copies.Count() > 0)
+  {
+    AddVirtual(ends.Copies, this->Tables.Contours);
+    this->Bounds = ends.Bounds;
+    this->HasEndSlices = true;
+    this->BuildGrid();
+  }
 }
 }

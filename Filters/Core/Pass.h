@@ -46,6 +46,13 @@ public:
 
   void BuildGrid();
 
+  /// The slices of an only family end half a slice farther: with copies of the first and the last one,
+  /// which are virtual. See CopyEndSlices.
+  void AddEndSlices();
+
+  /// Whether the report of what the slices leave open is this pass's to make.
+  bool ShowsDoubts() const { return !this->Result.Grid.HasVirtual() || this->HasEndSlices; }
+
   Options Settings;
   const Execution& Execute;
   const StageObserver& Observe;
@@ -54,6 +61,8 @@ public:
   Reconstruction Result;
 
 private:
+  Box3 Bounds = Everywhere();  ///< of the surface, where slices were added at its ends,
+  bool HasEndSlices = false;   ///< by this pass: else another one has made the report
   double From = 0.0, To = 1.0; ///< progress of the whole at 0 and 1 of the part at work
 };
 }

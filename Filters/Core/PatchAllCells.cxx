@@ -272,6 +272,10 @@ void CellPatcher::PatchCells()
   this->LocateCenters();
   const std::vector<CycleJoin> joinsBefore = result.Joins;
   this->FindCellJoins();
+  if (this->Settings.Ends == EndCaps::Flat) // does not change what is joined
+  {
+    FlattenLids(this->Geometry, this->Known.Patches, result.Surface.CentralPoints);
+  }
   if (isNew || !AreOfSameCycles(joinsBefore, result.Joins))
   {
     const PriorKnowledge& expected = this->Settings.Known;

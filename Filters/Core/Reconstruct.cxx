@@ -25,7 +25,11 @@ SliceDensity DensityOf(const Pass& pass)
 
 bool MakeSurface(Pass& pass)
 {
-  const SliceDensity density = DensityOf(pass);
+  const SliceDensity density = DensityOf(pass); // of the slices of the input
+  if (pass.Settings.Ends == EndCaps::HalfSlice && !pass.Result.InsideOut)
+  {
+    pass.AddEndSlices();
+  }
   return density.IsSparse() ? MakeSparseSurface(density, pass)
                             : ConnectContours(pass) && FillCycles(pass.Settings.Patching, pass);
 }

@@ -46,6 +46,7 @@ def check_defaults():
         "FrameNormals": [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
         "VirtualSlices": "Automatic",
         "VirtualSliceSpacing": 0.0,
+        "EndCaps": "Dome",
         "PlaneTolerance": 1e-5,
         "PatchType": "Smooth",
         "EdgeLength": 0.25,
@@ -188,12 +189,23 @@ def check_parallel():
     slicer = simple.OrthogonalSlicer(Input=sphere())
     parallel = simple.ParallelSliceReconstruction(ZSlices=simple.OutputPort(slicer, 2))
     check_closed(fetch(parallel), components=1)
-    compare_defaults(parallel, {"VirtualSlices": "Automatic", "VirtualSliceSpacing": 0.0})
+    compare_defaults(
+        parallel, {"VirtualSlices": "Automatic", "VirtualSliceSpacing": 0.0, "EndCaps": "Dome"})
     smooth = fetch(parallel)
     parallel.VirtualSlices = "Off"
     check_closed(fetch(parallel), components=1)
     check(fetch(parallel).GetNumberOfPoints() != smooth.GetNumberOfPoints(), "no virtual slices")
     parallel.VirtualSlices = "Automatic"
+    heights = []
+    for ends in ("Flat", "Half Slice"):
+        parallel.EndCaps = ends
+        surface = fetch(parallel)
+        check_closed(surface, components=1)
+        heights.append(surface.GetBounds()[5] - surface.GetBounds()[4])
+    planes = 32  # of the slicer, at equal distances
+    ratio = heights[1] / heights[0]
+    check(abs(ratio - planes / (planes - 1)) < 1e-3, f"with half slices {ratio} times as high")
+    parallel.EndCaps = "Dome"
     parallel.Correspondence = "Spanning Tree"
     check_closed(fetch(parallel), components=1)
     parallel.ExpectedComponents = 2

@@ -210,6 +210,83 @@ std::vector<std::uint8_t> FindFlatEnds(
   }
   return isFlat;
 }
+
+/// Whether a patch has loops on both slices of its slab.
+bool GoesOn(const CycleGeometry& geometry, const PatchMesh& patch)
+{
+  const auto isAbove = [&](Index cycle) { return geometry.FirstArc(cycle).Above; };
+  return std::any_of(patch.Cycles.begin(), patch.Cycles.end(), isAbove) &&
+    !std::all_of(patch.Cycles.begin(), patch.Cycles.end(), isAbove);
+}
+
+/// For each cycle, 1 if it is one of a lid: of a patch that ends the object on one side of a slice, while
+/// it goes on beyond the other side of one of the patch's loops.
+std::vector<std::uint8_t> FindLids(
+  const CycleGeometry& geometry, const std::vector<PatchMesh>& stitched)
+{
+  std::vector<std::uint8_t> goesOn(static_cast<std::size_t>(geometry.Cycles.Count()), 0);
+  std::vector<std::uint8_t> isLid(goesOn.size(), 0), isMember(goesOn.size(), 0);
+  for (const PatchMesh& patch : stitched)
+  {
+    for (const Index cycle : patch.Cycles)
+    {
+      goesOn[cycle] = GoesOn(geometry, patch) ? 1 : 0;
+      isMember[cycle] = 1;
+    }
+  }
+  const std::vector<std::array<Index, 2>> sides = SidesOfLoops(geometry);
+  const auto endsHere = [&](Index cycle)
+  {
+    const Index across = sides[geometry.LoopOf(cycle)][geometry.FirstArc(cycle).Above ? 0 : 1];
+    return goesOn[cycle] == 0 && goesOn[across] != 0;
+  };
+  for (const PatchMesh& patch : stitched)
+  {
+    const bool ends = std::any_of(patch.Cycles.begin(), patch.Cycles.end(), endsHere);
+    for (const Index cycle : patch.Cycles)
+    {
+      isLid[cycle] = ends ? 1 : 0;
+    }
+  }
+  for (Index cycle = 0; cycle < geometry.Cycles.Count(); ++cycle)
+  {
+    isLid[cycle] |= isMember[cycle] == 0 && endsHere(cycle) ? 1 : 0;
+  }
+  return isLid;
+}
+
+/// Moves what is marked, central points and whole patches, next to the slice.
+void Flatten(const CycleGeometry& geometry, const std::vector<std::uint8_t>& isFlat,
+  std::vector<PatchMesh>& stitched, std::vector<double>& centralPoints)
+{
+  const CellCycles& cycles = geometry.Cycles;
+  const auto heightOf = [&](Index cycle)
+  {
+    const Face& loop = geometry.Graph.Loops[geometry.LoopOf(cycle)];
+    return geometry.Grid.MoveInside(loop.Axis, cycles.Cell[cycle][loop.Axis],
+      geometry.Grid.Planes[loop.Axis][loop.Plane], CentralPointMargin);
+  };
+  for (Index cycle = 0; cycle < cycles.Count(); ++cycle)
+  {
+    if (isFlat[cycle] != 0)
+    {
+      const int axis = geometry.Graph.Loops[geometry.LoopOf(cycle)].Axis;
+      centralPoints[3 * static_cast<std::size_t>(cycle) + axis] = heightOf(cycle);
+    }
+  }
+  for (PatchMesh& patch : stitched)
+  {
+    if (std::all_of(patch.Cycles.begin(), patch.Cycles.end(),
+          [&](Index cycle) { return isFlat[cycle] != 0; }))
+    {
+      const Index cycle = patch.Cycles.front();
+      for (Point3& point : patch.Points)
+      {
+        point[geometry.Graph.Loops[geometry.LoopOf(cycle)].Axis] = heightOf(cycle);
+      }
+    }
+  }
+}
 }
 
 void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
@@ -254,33 +331,15 @@ void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
 void FlattenEnds(const CycleGeometry& geometry, std::vector<PatchMesh>& stitched,
   std::vector<double>& centralPoints)
 {
-  const CellCycles& cycles = geometry.Cycles;
-  const std::vector<std::uint8_t> isFlat = FindFlatEnds(geometry, stitched);
-  const auto heightOf = [&](Index cycle)
+  Flatten(geometry, FindFlatEnds(geometry, stitched), stitched, centralPoints);
+}
+
+void FlattenLids(const CycleGeometry& geometry, std::vector<PatchMesh>& stitched,
+  std::vector<double>& centralPoints)
+{
+  if (FindOnlyFamily(geometry.Grid) >= 0)
   {
-    const Face& loop = geometry.Graph.Loops[geometry.LoopOf(cycle)];
-    return geometry.Grid.MoveInside(loop.Axis, cycles.Cell[cycle][loop.Axis],
-      geometry.Grid.Planes[loop.Axis][loop.Plane], CentralPointMargin);
-  };
-  for (Index cycle = 0; cycle < cycles.Count(); ++cycle)
-  {
-    if (isFlat[cycle] != 0)
-    {
-      const int axis = geometry.Graph.Loops[geometry.LoopOf(cycle)].Axis;
-      centralPoints[3 * static_cast<std::size_t>(cycle) + axis] = heightOf(cycle);
-    }
-  }
-  for (PatchMesh& patch : stitched)
-  {
-    if (std::all_of(patch.Cycles.begin(), patch.Cycles.end(),
-          [&](Index cycle) { return isFlat[cycle] != 0; }))
-    {
-      const Index cycle = patch.Cycles.front();
-      for (Point3& point : patch.Points)
-      {
-        point[geometry.Graph.Loops[geometry.LoopOf(cycle)].Axis] = heightOf(cycle);
-      }
-    }
+    Flatten(geometry, FindLids(geometry, stitched), stitched, centralPoints);
   }
 }
 

@@ -10,6 +10,14 @@
 
 namespace orthoslices
 {
+/// How an object ends of which there is one family of slices, where nothing continues a contour.
+enum class EndCaps
+{
+  Dome,     ///< in a dome, or flat beyond the last slice where the sections say so (FlattenEnds)
+  Flat,     ///< flat, at its last slice (FlattenLids)
+  HalfSlice ///< beyond the last slice with walls, then flat, half a slice farther (CopyEndSlices)
+};
+
 /**
  * Lowers the domes over loops to where the surface ends, as far as that is known (our own
  * addition): where the cell on the other side of the loop has one polygon, a quadratic height
@@ -29,6 +37,14 @@ void LowerDomes(const CycleGeometry& geometry, const CellGroups& cells,
  * over it that a central point has.
  */
 void FlattenEnds(const CycleGeometry& geometry, std::vector<PatchMesh>& stitched,
+  std::vector<double>& centralPoints);
+
+/**
+ * Flattens all patches that end an object of one family of slices on one side of a slice, beyond the
+ * last ones and between two: as FlattenEnds does it, whatever the sections are. What ends on both
+ * sides of its only slice keeps its domes, as there would be nothing between two flat ends.
+ */
+void FlattenLids(const CycleGeometry& geometry, std::vector<PatchMesh>& stitched,
   std::vector<double>& centralPoints);
 
 /**

@@ -3,6 +3,7 @@
 #include "Core/Sparse/SurfaceMesh.h"
 
 #include "Core/Graph/CycleGeometry.h"
+#include "Core/Slices/EndSlices.h"
 #include "Core/Sparse/RaiseEnds.h"
 
 #include <algorithm>
@@ -141,7 +142,8 @@ bool IsFlat(const std::vector<Index>& points, double spacing, const SurfaceMesh&
   return box.High[axis] - box.Low[axis] < FlatShare * spacing;
 }
 
-/// Where the object ends with a flat patch, in a slice or within a rim, the surface has an edge around it.
+/// Where the object ends with a flat patch, in a slice or within a rim, the surface has an edge around
+/// it, and where walls go on from the last slice to its copy.
 void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches, const StackEnds& ends,
   SurfaceMesh& mesh)
 {
@@ -151,7 +153,10 @@ void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches, cons
   {
     const std::vector<Index> points = ListPointsOf(patch, patches, mesh);
     const EndKind kind = ends.OfPatch[patch];
-    if (kind == EndKind::Unknown ? IsFlat(points, spacing, mesh) : kind != EndKind::Dome)
+    const Index slab = geometry.Cycles.Cell[patch][mesh.StretchAxis];
+    const bool isWall = IsBesideEndSlice(geometry.Grid, mesh.StretchAxis, slab);
+    if (isWall ||
+      (kind == EndKind::Unknown ? IsFlat(points, spacing, mesh) : kind != EndKind::Dome))
     {
       for (const Index point : points)
       {

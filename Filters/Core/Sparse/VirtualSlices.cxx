@@ -90,16 +90,28 @@ void Append(const PlaneContours& drawn, int axis, double coordinate, Contours& c
   }
 }
 
-/// Patches need room beyond the contours, but must not leave the bounds of the real ones.
+/// Where points may lie along an axis: patches need room beyond the contours, but must not leave the
+/// bounds of the real ones. Beyond slices that were added at the ends, half of the room there is.
+std::array<double, 2> RangeWithin(const SpatialGrid& grid, int axis)
+{
+  const double room = 0.02 * grid.SpacingAtEnds[axis];
+  std::array<double, 2> rooms{ room, room };
+  if (grid.HasVirtual() && grid.Count(axis) > 0)
+  {
+    rooms[0] = std::min(room, 0.5 * (grid.Planes[axis].front() - grid.Lowest[axis]));
+    rooms[1] = std::min(room, 0.5 * (grid.Highest[axis] - grid.Planes[axis].back()));
+  }
+  return { grid.Lowest[axis] + rooms[0], grid.Highest[axis] - rooms[1] };
+}
+
 void KeepWithin(const SpatialGrid& grid, std::vector<Point3>& points)
 {
-  for (Point3& point : points)
+  for (int axis = 0; axis < 3; ++axis)
   {
-    for (int axis = 0; axis < 3; ++axis)
+    const auto [low, high] = RangeWithin(grid, axis);
+    for (Point3& point : points)
     {
-      const double room = 0.02 * grid.SpacingAtEnds[axis];
-      point[axis] = grid.Round(
-        std::max(grid.Lowest[axis] + room, std::min(grid.Highest[axis] - room, point[axis])));
+      point[axis] = grid.Round(std::max(low, std::min(high, point[axis])));
     }
   }
 }
