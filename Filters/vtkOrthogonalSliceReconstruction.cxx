@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOrthogonalSliceReconstruction.h"
 
+#include "Bridge/AppendLabels.h"
 #include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
+#include "Bridge/ReadLabels.h"
 #include "Bridge/ReadPieces.h"
+#include "Bridge/WriteComponents.h"
 #include "Bridge/WriteGraph.h"
 #include "Bridge/WriteSurface.h"
 #include "Bridge/WriteTables.h"
+#include "Core/Frames/SplitByLabel.h"
 #include "Core/ReconstructSorted.h"
 
 #include "vtkExecutive.h"
@@ -23,7 +27,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkOrthogonalSliceReconstruction);
 
@@ -115,7 +121,7 @@ constexpr double ProgressBeforeSurface = 0.9;
 vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
 {
   this->SetNumberOfInputPorts(InputPorts);
-  this->SetNumberOfOutputPorts(7);
+  this->SetNumberOfOutputPorts(8);
 }
 
 int vtkOrthogonalSliceReconstruction::FillInputPortInformation(int, vtkInformation* info)
@@ -178,6 +184,11 @@ vtkTable* vtkOrthogonalSliceReconstruction::GetProblemTable()
   return vtkTable::SafeDownCast(this->GetOutputDataObject(6));
 }
 
+vtkTable* vtkOrthogonalSliceReconstruction::GetComponentTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(7));
+}
+
 int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
@@ -216,19 +227,135 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   {
     orthoslices::RoundToFloat(sorted.Slices);
   }
+  bool done = false;
+  if (this->UsesLabels())
+  {
+    const orthoslices::ContourLabels labels = this->ReadLabels(inputs, sorted);
+    done = labels.Count() > 0 &&
+      this->ReconstructLabels(std::move(sorted), labels, options, outputs);
+  }
+  else
+  {
+    done = this->ReconstructAll(std::move(sorted), options, outputs);
+  }
+  return done ? 1 : 0;
+}
+
+/// One surface of all contours. False, with empty outputs, if they are refused.
+bool vtkOrthogonalSliceReconstruction::ReconstructAll(orthoslices::SortedSlices&& sorted,
+  const orthoslices::Options& options, vtkInformationVector* outputs)
+{
   orthoslices::Reconstruction result = orthoslices::ReconstructSorted(
     std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
   if (result.Stopped)
   {
-    return 1;
+    return true;
   }
-  if (!this->CheckResult(result))
+  const std::string failure = this->DescribeFailure(result);
+  if (!failure.empty())
   {
-    return 0;
+    vtkErrorMacro(<< failure);
+    return false;
   }
-  this->Report(result);
-  this->WriteOutputs(std::move(result), doublePrecision, outputs);
-  return 1;
+  const std::string report = this->Report(result);
+  if (!report.empty())
+  {
+    vtkWarningMacro(<< report);
+  }
+  this->WriteOutputs(std::move(result), !options.SinglePrecision, outputs);
+  return true;
+}
+
+namespace
+{
+/// Progress within a share of the whole, for as long as this lives.
+class ShareOfProgress
+{
+public:
+  ShareOfProgress(vtkAlgorithm* filter, double first, double share)
+    : Filter(filter)
+  {
+    filter->SetProgressShiftScale(first, share);
+  }
+  ~ShareOfProgress() { this->Filter->SetProgressShiftScale(0.0, 1.0); }
+  ShareOfProgress(const ShareOfProgress&) = delete;
+  void operator=(const ShareOfProgress&) = delete;
+
+private:
+  vtkAlgorithm* Filter;
+};
+}
+
+/// The labels of all contours; an error and no labels if there are none.
+orthoslices::ContourLabels vtkOrthogonalSliceReconstruction::ReadLabels(
+  vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted)
+{
+  std::vector<vtkDataObject*> data;
+  for (int port = 0; port < InputPorts; ++port)
+  {
+    data.push_back(vtkDataObject::GetData(inputs[port]));
+  }
+  const orthoslices::ContourLabels labels =
+    orthoslices::ReadLabels(data, this->LabelArray, sorted.From);
+  if (labels.Count() == 0)
+  {
+    vtkErrorMacro("No contour has a label in a cell array \"" << this->LabelArray << "\".");
+  }
+  else if (labels.Unlabelled > 0)
+  {
+    vtkWarningMacro(<< labels.Unlabelled << " contours have no label in the cell array \""
+                    << this->LabelArray << "\" and take no part in any surface.");
+  }
+  return labels;
+}
+
+/// One surface for each label, one after another; labels that are refused do not cost the others.
+/// False, with empty outputs, if all are refused.
+bool vtkOrthogonalSliceReconstruction::ReconstructLabels(orthoslices::SortedSlices&& sorted,
+  const orthoslices::ContourLabels& labels, const orthoslices::Options& options,
+  vtkInformationVector* outputs)
+{
+  std::vector<orthoslices::SortedSlices> parts =
+    orthoslices::SplitByLabel(sorted, labels.OfLine, labels.Count());
+  const double all = std::max<double>(1.0, orthoslices::CountVertices(sorted));
+  sorted = orthoslices::SortedSlices();
+  orthoslices::LabelOutputs appended(labels, outputs);
+  std::ostringstream refused, report;
+  double before = 0.0;
+  bool any = false;
+  for (orthoslices::Index label = 0; label < labels.Count(); ++label)
+  {
+    const double share = orthoslices::CountVertices(parts[label]) / all;
+    const ShareOfProgress progress(this, before, share);
+    before += share;
+    orthoslices::Reconstruction result = orthoslices::ReconstructSorted(
+      std::move(parts[label]), options, orthoslices::ExecuteWithVtk(this));
+    if (result.Stopped)
+    {
+      return true;
+    }
+    const std::string failure = this->DescribeFailure(result);
+    if (!failure.empty())
+    {
+      refused << "\nLabel " << labels.NameOf(label) << " has no surface: " << failure;
+      continue;
+    }
+    any = true;
+    const std::string text = this->Report(result);
+    report << (text.empty() ? "" : "\nLabel " + labels.NameOf(label) + ":") << text;
+    this->WriteOutputs(std::move(result), !options.SinglePrecision, appended.Next(label));
+  }
+  if (!any)
+  {
+    vtkErrorMacro(<< refused.str());
+    return false;
+  }
+  appended.Finish();
+  if (!(refused.str() + report.str()).empty())
+  {
+    vtkWarningMacro(<< refused.str() << report.str());
+  }
+  return true;
 }
 
 /// Weights and tolerances that are numbers; setters clamp the others.
@@ -362,34 +489,35 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.Patching.CornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
 }
 
-/// Whether there is a surface that the outputs can hold.
-bool vtkOrthogonalSliceReconstruction::CheckResult(const orthoslices::Reconstruction& result)
+/// Why there is no surface that the outputs can hold; empty if there is one.
+std::string vtkOrthogonalSliceReconstruction::DescribeFailure(
+  const orthoslices::Reconstruction& result) const
 {
+  std::ostringstream text;
   if (result.Refused)
   {
     std::vector<orthoslices::Problem> problems = result.Invalid;
     problems.insert(problems.end(), result.CrossingProblems.begin(), result.CrossingProblems.end());
-    vtkErrorMacro("The input has "
-      << problems.size() << " unusable contours:" << orthoslices::DescribeProblems(problems));
-    return false;
+    text << "The input has " << problems.size()
+         << " unusable contours:" << orthoslices::DescribeProblems(problems);
+    return text.str();
   }
   for (int axis = 0; axis < 3; ++axis)
   {
     // Cells are counted from 0 below the first plane, in the array GridCell.
     if (result.Grid.Count(axis) >= VTK_UNSIGNED_SHORT_MAX)
     {
-      vtkErrorMacro("There are " << result.Grid.Count(axis) << " "
-                                 << orthoslices::AxisNames[axis] << "-slices, more than "
-                                 << VTK_UNSIGNED_SHORT_MAX - 1
-                                 << "; is PlaneTolerance too small?");
-      return false;
+      text << "There are " << result.Grid.Count(axis) << " " << orthoslices::AxisNames[axis]
+           << "-slices, more than " << VTK_UNSIGNED_SHORT_MAX - 1
+           << "; is PlaneTolerance too small?";
+      return text.str();
     }
   }
-  return true;
+  return std::string();
 }
 
-/// Takes out what is not worth a report, and warns of what is left that the user should know.
-void vtkOrthogonalSliceReconstruction::Report(orthoslices::Reconstruction& result)
+/// Takes out what is not worth a report, and says what is left that the user should know.
+std::string vtkOrthogonalSliceReconstruction::Report(orthoslices::Reconstruction& result) const
 {
   orthoslices::ReportSettings settings;
   settings.Tolerance = this->ReportTolerance * result.Diagonal;
@@ -400,11 +528,7 @@ void vtkOrthogonalSliceReconstruction::Report(orthoslices::Reconstruction& resul
     settings.Expected.Genus = this->ExpectedGenus;
   }
   orthoslices::RemoveSmallRepairs(settings.Tolerance, result.Repairs);
-  const std::string text = orthoslices::DescribeReport(result, settings);
-  if (!text.empty())
-  {
-    vtkWarningMacro(<< text);
-  }
+  return orthoslices::DescribeReport(result, settings);
 }
 
 void vtkOrthogonalSliceReconstruction::WriteOutputs(
@@ -421,12 +545,15 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
   orthoslices::WriteSurface(std::move(result), orthoslices::ExecuteWithVtk(this), doublePrecision,
     arrays, reportTolerance, vtkPolyData::GetData(outputs, 0));
+  orthoslices::WriteComponentTable(
+    vtkPolyData::GetData(outputs, 0), vtkTable::GetData(outputs, 7));
   this->UpdateProgress(1.0);
 }
 
 void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "LabelArray: " << this->LabelArray << "\n";
   os << indent << "PlaneTolerance: " << this->PlaneTolerance << "\n";
   os << indent << "Orientation: " << Orientations[this->Orientation].Name << "\n";
   os << indent << "InvalidContours: " << InvalidContoursModes[this->InvalidContours].Name << "\n";
