@@ -3,6 +3,7 @@
 #include "vtkOrthogonalSliceReconstruction.h"
 
 #include "Bridge/AppendLabels.h"
+#include "Bridge/CompareOthers.h"
 #include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
@@ -53,12 +54,24 @@ constexpr Choice<orthoslices::Orientation> Orientations[] = {
   { Filter::ORIENT_AS_DRAWN, orthoslices::Orientation::AsDrawn, "AsDrawn" }
 };
 /// Whether the input is refused.
-constexpr Choice<bool> InvalidContoursModes[] = { { Filter::REFUSE, true, "Refuse" },
-  { Filter::LEAVE_OUT, false, "LeaveOut" } };
+constexpr Choice<orthoslices::InvalidContours> InvalidContoursModes[] = {
+  { Filter::REFUSE, orthoslices::InvalidContours::Refuse, "Refuse" },
+  { Filter::LEAVE_OUT, orthoslices::InvalidContours::LeaveOut, "LeaveOut" },
+  { Filter::MEND, orthoslices::InvalidContours::Mend, "Mend" }
+};
+constexpr Choice<orthoslices::BorderContours> BorderContoursModes[] = {
+  { Filter::CLOSE_ALONG_BORDER, orthoslices::BorderContours::CloseAlong, "CloseAlongBorder" },
+  { Filter::REFUSE_AT_BORDER, orthoslices::BorderContours::Refuse, "Refuse" }
+};
 constexpr Choice<orthoslices::CrossingContours> CrossingContoursModes[] = {
   { Filter::REPAIR_CROSSING, orthoslices::CrossingContours::Repair, "Repair" },
   { Filter::REFUSE_CROSSING, orthoslices::CrossingContours::Refuse, "Refuse" },
   { Filter::LEAVE_OUT_CROSSING, orthoslices::CrossingContours::LeaveOut, "LeaveOut" }
+};
+constexpr Choice<orthoslices::FrameChoice> Frames[] = {
+  { Filter::AUTOMATIC_FRAME, orthoslices::FrameChoice::Automatic, "Automatic" },
+  { Filter::WORLD_FRAME, orthoslices::FrameChoice::World, "World" },
+  { Filter::GIVEN_FRAME, orthoslices::FrameChoice::Given, "Given" }
 };
 constexpr Choice<orthoslices::VirtualSlices> VirtualSlicesModes[] = {
   { Filter::AUTOMATIC_VIRTUAL_SLICES, orthoslices::VirtualSlices::Automatic, "Automatic" },
@@ -103,9 +116,9 @@ constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
   return true;
 }
 static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
-    IsIndexed(CrossingContoursModes) && IsIndexed(VirtualSlicesModes) &&
-    IsIndexed(SeveralCyclesModes) && IsIndexed(Correspondences) && IsIndexed(PatchTypes) &&
-    IsIndexed(CentralPoints),
+    IsIndexed(BorderContoursModes) && IsIndexed(CrossingContoursModes) && IsIndexed(Frames) &&
+    IsIndexed(VirtualSlicesModes) && IsIndexed(SeveralCyclesModes) && IsIndexed(Correspondences) &&
+    IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
   "The setters clamp properties to their first and last value");
 
 /// One for each family, and one for contours of any families.
@@ -147,8 +160,8 @@ void vtkOrthogonalSliceReconstruction::SetFamilyConnection(int family, vtkAlgori
 {
   if (family < 1 || family > InputPorts)
   {
-    vtkErrorMacro("Family " << family
-                            << " must be 1 (x-slices), 2 (y-slices), 3 (z-slices) or 4 (any).");
+    vtkErrorMacro(
+      "Family " << family << " must be 1 (x-slices), 2 (y-slices), 3 (z-slices) or 4 (any).");
     return;
   }
   this->SetInputConnection(family - 1, output);
@@ -223,7 +236,7 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   orthoslices::SortedSlices sorted = this->SortInputs(inputs);
   const bool doublePrecision = this->NeedsDoublePrecision(inputs, sorted);
   options.SinglePrecision = !doublePrecision;
-  if (!doublePrecision)
+  if (!doublePrecision && !sorted.Frame.IsWorld())
   {
     orthoslices::RoundToFloat(sorted.Slices);
   }
@@ -241,29 +254,46 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   return done ? 1 : 0;
 }
 
+/// One structure: the outputs, or the reason why there are none, and what else to tell the user.
+vtkOrthogonalSliceReconstruction::Outcome vtkOrthogonalSliceReconstruction::Reconstruct(
+  orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
+  const std::function<vtkInformationVector*()>& outputs, std::string& text)
+{
+  const orthoslices::Polylines others = std::move(sorted.Others);
+  orthoslices::Reconstruction result =
+    orthoslices::ReconstructSorted(std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
+  if (result.Stopped)
+  {
+    return Outcome::Stopped;
+  }
+  text = this->DescribeFailure(result);
+  if (!text.empty())
+  {
+    return Outcome::Failed;
+  }
+  text = this->Report(result);
+  vtkInformationVector* target = outputs();
+  this->WriteOutputs(std::move(result), !options.SinglePrecision, target);
+  text += this->CompareOthers(others, target);
+  return Outcome::Done;
+}
+
 /// One surface of all contours. False, with empty outputs, if they are refused.
 bool vtkOrthogonalSliceReconstruction::ReconstructAll(orthoslices::SortedSlices&& sorted,
   const orthoslices::Options& options, vtkInformationVector* outputs)
 {
-  orthoslices::Reconstruction result = orthoslices::ReconstructSorted(
-    std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
-  if (result.Stopped)
+  std::string text;
+  const Outcome outcome =
+    this->Reconstruct(std::move(sorted), options, [outputs]() { return outputs; }, text);
+  if (outcome == Outcome::Failed)
   {
-    return true;
+    vtkErrorMacro(<< text);
   }
-  const std::string failure = this->DescribeFailure(result);
-  if (!failure.empty())
+  else if (!text.empty())
   {
-    vtkErrorMacro(<< failure);
-    return false;
+    vtkWarningMacro(<< text);
   }
-  const std::string report = this->Report(result);
-  if (!report.empty())
-  {
-    vtkWarningMacro(<< report);
-  }
-  this->WriteOutputs(std::move(result), !options.SinglePrecision, outputs);
-  return true;
+  return outcome != Outcome::Failed;
 }
 
 namespace
@@ -328,22 +358,23 @@ bool vtkOrthogonalSliceReconstruction::ReconstructLabels(orthoslices::SortedSlic
     const double share = orthoslices::CountVertices(parts[label]) / all;
     const ShareOfProgress progress(this, before, share);
     before += share;
-    orthoslices::Reconstruction result = orthoslices::ReconstructSorted(
-      std::move(parts[label]), options, orthoslices::ExecuteWithVtk(this));
-    if (result.Stopped)
+    std::string text;
+    const Outcome outcome = this->Reconstruct(
+      std::move(parts[label]), options, [&]() { return appended.Next(label); }, text);
+    if (outcome == Outcome::Stopped)
     {
       return true;
     }
-    const std::string failure = this->DescribeFailure(result);
-    if (!failure.empty())
+    any |= outcome == Outcome::Done;
+    const std::string name = "\nLabel " + labels.NameOf(label);
+    if (outcome == Outcome::Failed)
     {
-      refused << "\nLabel " << labels.NameOf(label) << " has no surface: " << failure;
-      continue;
+      refused << name << " has no surface: " << text;
     }
-    any = true;
-    const std::string text = this->Report(result);
-    report << (text.empty() ? "" : "\nLabel " + labels.NameOf(label) + ":") << text;
-    this->WriteOutputs(std::move(result), !options.SinglePrecision, appended.Next(label));
+    else if (!text.empty())
+    {
+      report << name << ":" << text;
+    }
   }
   if (!any)
   {
@@ -358,7 +389,21 @@ bool vtkOrthogonalSliceReconstruction::ReconstructLabels(orthoslices::SortedSlic
   return true;
 }
 
-/// Weights and tolerances that are numbers; setters clamp the others.
+namespace
+{
+/// Nine values as three vectors.
+std::array<orthoslices::Point3, 3> GivenNormals(const double* values)
+{
+  std::array<orthoslices::Point3, 3> normals;
+  for (int i = 0; i < 9; ++i)
+  {
+    normals[i / 3][i % 3] = values[i];
+  }
+  return normals;
+}
+}
+
+/// Weights and tolerances that are numbers, and axes that are some; setters clamp the others.
 bool vtkOrthogonalSliceReconstruction::CheckProperties()
 {
   for (const double weight : this->AxisWeights)
@@ -368,6 +413,15 @@ bool vtkOrthogonalSliceReconstruction::CheckProperties()
       vtkErrorMacro("AxisWeights has " << weight << "; weights must be finite and not negative.");
       return false;
     }
+  }
+  orthoslices::AxisFrame given;
+  if (this->Frame == GIVEN_FRAME &&
+    !orthoslices::MakeGivenFrame(GivenNormals(this->FrameNormals), given))
+  {
+    vtkErrorMacro(
+      "FrameNormals must be the normals of three families of planes: three vectors that are "
+      "not nearly in one plane.");
+    return false;
   }
   // NaN is neither below nor above the range to which tolerances are clamped.
   for (const auto& tolerance : { std::make_pair("PlaneTolerance", this->PlaneTolerance),
@@ -395,8 +449,9 @@ bool vtkOrthogonalSliceReconstruction::CheckInputs(vtkInformationVector** inputs
 {
   if (this->GetTotalNumberOfInputConnections() == 0)
   {
-    vtkErrorMacro("No input: connect contours to port 0 (x-slices), 1 (y-slices), 2 (z-slices) or 3 "
-                  "(slices of any families).");
+    vtkErrorMacro(
+      "No input: connect contours to port 0 (x-slices), 1 (y-slices), 2 (z-slices) or 3 "
+      "(slices of any families).");
     return false;
   }
   vtkIdType cells = 0, vertices = 0;
@@ -417,8 +472,8 @@ bool vtkOrthogonalSliceReconstruction::CheckInputs(vtkInformationVector** inputs
   }
   if (vertices > MaxVertices)
   {
-    vtkErrorMacro("The input has " << vertices << " contour vertices, more than " << MaxVertices
-                                   << ".");
+    vtkErrorMacro(
+      "The input has " << vertices << " contour vertices, more than " << MaxVertices << ".");
     return false;
   }
   return true;
@@ -435,6 +490,8 @@ orthoslices::SortedSlices vtkOrthogonalSliceReconstruction::SortInputs(
     orthoslices::ReadPieces(vtkDataObject::GetData(inputs[port]), port, !round, lines);
   }
   orthoslices::FrameOptions options;
+  options.Choice = Frames[this->Frame].Value;
+  options.Given = GivenNormals(this->FrameNormals);
   options.PlaneTolerance = this->PlaneTolerance;
   return orthoslices::SortByPlanes(lines, options);
 }
@@ -451,10 +508,8 @@ bool vtkOrthogonalSliceReconstruction::NeedsDoublePrecision(
   for (int port = 0; port < InputPorts; ++port)
   {
     orthoslices::VisitPolyData(vtkDataObject::GetData(inputs[port]),
-      [&](vtkPolyData* data, orthoslices::Index)
-      {
-        anyDouble |=
-          data->GetPoints() != nullptr && data->GetPoints()->GetDataType() == VTK_DOUBLE;
+      [&](vtkPolyData* data, orthoslices::Index) {
+        anyDouble |= data->GetPoints() != nullptr && data->GetPoints()->GetDataType() == VTK_DOUBLE;
       });
   }
   return anyDouble;
@@ -468,7 +523,8 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.InsertMissing = this->InsertMissingContours;
   options.Virtual = VirtualSlicesModes[this->VirtualSlices].Value;
   options.VirtualSpacing = this->VirtualSliceSpacing;
-  options.RefuseInvalid = InvalidContoursModes[this->InvalidContours].Value;
+  options.Invalid = InvalidContoursModes[this->InvalidContours].Value;
+  options.AtBorder = BorderContoursModes[this->BorderContours].Value;
   options.Crossing = CrossingContoursModes[this->CrossingContours].Value;
   if (std::any_of(this->AxisWeights, this->AxisWeights + 3, [](double w) { return w > 0.0; }))
   {
@@ -550,6 +606,16 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   this->UpdateProgress(1.0);
 }
 
+/// Contours on planes of no family: how far the surface is from them, for the table and as text.
+std::string vtkOrthogonalSliceReconstruction::CompareOthers(
+  const orthoslices::Polylines& others, vtkInformationVector* outputs) const
+{
+  const std::vector<orthoslices::Agreement> distances =
+    orthoslices::MeasureDistances(others, vtkPolyData::GetData(outputs, 0));
+  orthoslices::WriteOthers(others, distances, vtkTable::GetData(outputs, 3));
+  return orthoslices::DescribeOthers(others, distances);
+}
+
 void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -557,8 +623,16 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PlaneTolerance: " << this->PlaneTolerance << "\n";
   os << indent << "Orientation: " << Orientations[this->Orientation].Name << "\n";
   os << indent << "InvalidContours: " << InvalidContoursModes[this->InvalidContours].Name << "\n";
+  os << indent << "BorderContours: " << BorderContoursModes[this->BorderContours].Name << "\n";
   os << indent << "CrossingContours: " << CrossingContoursModes[this->CrossingContours].Name
      << "\n";
+  os << indent << "Frame: " << Frames[this->Frame].Name << "\n";
+  os << indent << "FrameNormals:";
+  for (const double value : this->FrameNormals)
+  {
+    os << " " << value;
+  }
+  os << "\n";
   os << indent << "InsertMissingContours: " << (this->InsertMissingContours ? "On" : "Off") << "\n";
   os << indent << "VirtualSlices: " << VirtualSlicesModes[this->VirtualSlices].Name << "\n";
   os << indent << "VirtualSliceSpacing: " << this->VirtualSliceSpacing << "\n";

@@ -33,7 +33,8 @@
  * pieces and loose two-point segments in any order and direction, and any mixture; vertices and
  * strips are ignored. Points may be float or double and may be duplicated. Pieces are joined where
  * their end points coincide; a single polyline of three or more points whose ends meet no other
- * piece is closed if the gap is at most twice its longest segment, and is open otherwise.
+ * piece is closed if the gap is at most twice its longest segment, and is open otherwise. What is
+ * wrong with open contours and others, by default, is mended (InvalidContours).
  *
  * With ORIENT_BY_NESTING (the default) directions are ignored: the outermost contours of a slice
  * enclose the interior, the contours directly inside them enclose holes, and so on. With
@@ -167,10 +168,12 @@
  * that cross, nothing outside the box of the contours by more than half a spacing.
  *
  * @section Errors Errors
- * A connected port without contours, no connected port, an open contour, a contour that leaves its
- * plane by more than the tolerance, and coordinates that are not finite are reported with port,
- * cell and coordinate: as errors with empty outputs (InvalidContours = REFUSE), or in one warning
- * (LEAVE_OUT). So are contours that cross themselves or each other within one slice (CrossingContours), which by
+ * A connected port without contours, no connected port, and contours of which none can be used are
+ * errors, with empty outputs. Contours that are open, leave their plane by more than the tolerance,
+ * have no area, or coordinates that are not finite are mended or else left out (InvalidContours =
+ * MEND, the default): one warning counts them by kinds, with port, cell and coordinate of the first of
+ * each kind, and port 6 lists them all. With REFUSE they are errors, with LEAVE_OUT all of them are left
+ * out. So are contours that cross themselves or each other within one slice (CrossingContours), which by
  * default are repaired. Where the families contradict each other by more than ReportTolerance, one
  * warning says so, and the "Disagreement" array shows where. It also tells of contours that take no
  * part in the surface, of a surface that is inside out, of ExpectedComponents and ExpectedGenus that
@@ -187,6 +190,7 @@
 #include "vtkFiltersOrthogonalSlicesModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <functional>
 #include <string>
 
 class vtkTable;
@@ -195,6 +199,7 @@ namespace orthoslices
 {
 struct ContourLabels;
 struct Options;
+struct Polylines;
 struct Reconstruction;
 struct SortedSlices;
 }
@@ -216,7 +221,14 @@ public:
   enum InvalidContoursMode
   {
     REFUSE = 0,
-    LEAVE_OUT = 1
+    LEAVE_OUT = 1,
+    MEND = 2
+  };
+
+  enum BorderContoursMode
+  {
+    CLOSE_ALONG_BORDER = 0,
+    REFUSE_AT_BORDER = 1
   };
 
   enum CrossingContoursMode
@@ -224,6 +236,13 @@ public:
     REPAIR_CROSSING = 0,
     REFUSE_CROSSING = 1,
     LEAVE_OUT_CROSSING = 2
+  };
+
+  enum FrameMode
+  {
+    AUTOMATIC_FRAME = 0,
+    WORLD_FRAME = 1,
+    GIVEN_FRAME = 2
   };
 
   enum SeveralCyclesMode
@@ -296,13 +315,34 @@ public:
 
   ///@{
   /**
-   * What happens to contours that are open, off their plane or not finite: the input is refused
-   * with an error (default), or they are left out with a warning.
+   * What happens to contours that are open, off their plane, without area or not finite. MEND
+   * (default): they are mended with a warning, and listed on port 6. Vertices that are off their plane
+   * by at most a tenth of the least distance between the slices of their port are put on it; gaps of at
+   * most a fifth of the length of the contours are closed, by straight lines; what runs past its own
+   * start, or past that of the next piece, is trimmed, and at most a quarter of it; contours that end at
+   * the border of the image are closed along it (see BorderContours). Pieces of one or two points, loops
+   * without area and what cannot be mended are left out. REFUSE: an error, and no surface. LEAVE_OUT:
+   * they are left out with a warning.
    */
-  vtkSetClampMacro(InvalidContours, int, REFUSE, LEAVE_OUT);
+  vtkSetClampMacro(InvalidContours, int, REFUSE, MEND);
   vtkGetMacro(InvalidContours, int);
   void SetInvalidContoursToRefuse() { this->SetInvalidContours(REFUSE); }
   void SetInvalidContoursToLeaveOut() { this->SetInvalidContours(LEAVE_OUT); }
+  void SetInvalidContoursToMend() { this->SetInvalidContours(MEND); }
+  ///@}
+
+  ///@{
+  /**
+   * What happens, with InvalidContours = MEND, to contours that end at the border of the image. They
+   * are closed along it (default), or the input is refused with an error. The border is a rectangle in
+   * the planes of each port. A side of it is where the contours reach farthest along an axis and two or
+   * more loose ends lie. Where contours could be closed on either side, they keep to the sides at which
+   * ends lie, and to the shorter way.
+   */
+  vtkSetClampMacro(BorderContours, int, CLOSE_ALONG_BORDER, REFUSE_AT_BORDER);
+  vtkGetMacro(BorderContours, int);
+  void SetBorderContoursToCloseAlongBorder() { this->SetBorderContours(CLOSE_ALONG_BORDER); }
+  void SetBorderContoursToRefuse() { this->SetBorderContours(REFUSE_AT_BORDER); }
   ///@}
 
   ///@{
@@ -316,6 +356,32 @@ public:
   void SetCrossingContoursToRepair() { this->SetCrossingContours(REPAIR_CROSSING); }
   void SetCrossingContoursToRefuse() { this->SetCrossingContours(REFUSE_CROSSING); }
   void SetCrossingContoursToLeaveOut() { this->SetCrossingContours(LEAVE_OUT_CROSSING); }
+  ///@}
+
+  ///@{
+  /**
+   * The axes across which the planes of the contours lie. Automatic (default): those of the world if
+   * all contours lie on planes across them, as far as noise lets one see; else they are found from
+   * the contours, whose planes may be turned any way, and need not be at right angles to each other
+   * (see Inputs). World: those of the world, whatever the contours look like; those of ports 0, 1 and
+   * 2 belong to x, y and z unless they lie on a plane across another axis. Given: FrameNormals.
+   */
+  vtkSetClampMacro(Frame, int, AUTOMATIC_FRAME, GIVEN_FRAME);
+  vtkGetMacro(Frame, int);
+  void SetFrameToAutomatic() { this->SetFrame(AUTOMATIC_FRAME); }
+  void SetFrameToWorld() { this->SetFrame(WORLD_FRAME); }
+  void SetFrameToGiven() { this->SetFrame(GIVEN_FRAME); }
+  ///@}
+
+  ///@{
+  /**
+   * With Frame Given, the normals of the planes of the x-, y- and z-slices, one after another, of any
+   * length; of slices of an image, the columns of its direction matrix. If they are left-handed, the
+   * third one is reversed. Three that are nearly in one plane are an error. Default: the axes of the
+   * world.
+   */
+  vtkSetVectorMacro(FrameNormals, double, 9);
+  vtkGetVectorMacro(FrameNormals, double, 9);
   ///@}
 
   ///@{
@@ -586,11 +652,18 @@ private:
   bool CheckProperties();
   bool CheckInputs(vtkInformationVector** inputs);
   orthoslices::SortedSlices SortInputs(vtkInformationVector** inputs) const;
-  bool NeedsDoublePrecision(
-    vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
+  bool NeedsDoublePrecision(vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
   void GetOptions(orthoslices::Options& options) const;
   orthoslices::ContourLabels ReadLabels(
     vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
+  enum class Outcome
+  {
+    Done,
+    Stopped,
+    Failed
+  };
+  Outcome Reconstruct(orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
+    const std::function<vtkInformationVector*()>& outputs, std::string& text);
   bool ReconstructAll(orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
     vtkInformationVector* outputs);
   bool ReconstructLabels(orthoslices::SortedSlices&& sorted,
@@ -601,11 +674,14 @@ private:
   std::string Report(orthoslices::Reconstruction& result) const;
   void WriteOutputs(
     orthoslices::Reconstruction&& result, bool doublePrecision, vtkInformationVector* outputs);
+  std::string CompareOthers(
+    const orthoslices::Polylines& others, vtkInformationVector* outputs) const;
 
   std::string LabelArray;
   double PlaneTolerance = 1e-5;
   int Orientation = ORIENT_BY_NESTING;
-  int InvalidContours = REFUSE;
+  int InvalidContours = MEND;
+  int BorderContours = CLOSE_ALONG_BORDER;
   int CrossingContours = REPAIR_CROSSING;
   int SeveralCycles = BY_EVIDENCE;
   int Correspondence = CORRESPOND_BY_EVIDENCE;
@@ -622,6 +698,8 @@ private:
   int CentralPoint = LEAST_SQUARES;
   double AxisWeights[3] = { 1.0, 1.0, 1.0 };
   double ReportTolerance = 1e-3;
+  int Frame = AUTOMATIC_FRAME;
+  double FrameNormals[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
   bool InsertMissingContours = true;
   int VirtualSlices = AUTOMATIC_VIRTUAL_SLICES;
   double VirtualSliceSpacing = 0.0;

@@ -73,11 +73,7 @@ TEST(DescribeProblems, NamesPortCellAndPlaceOfTheFirstTen)
     { ProblemKind::CrossesOther, "crosses another contour of its slice" } };
   for (const auto& kind : kinds)
   {
-    Problem problem;
-    problem.Kind = kind.Kind;
-    problem.Port = 1;
-    problem.Cell = 17;
-    problem.Where = { 1.0, 2.5, -3.0 };
+    const Problem problem{ kind.Kind, 1, 17, Point3{ 1.0, 2.5, -3.0 } };
     EXPECT_EQ(DescribeProblems({ problem }),
       std::string("\n  port 1 (y-slices), cell 17: the contour ") + kind.Text + " at (1, 2.5, -3)");
     const std::string many = DescribeProblems(std::vector<Problem>(12, problem));

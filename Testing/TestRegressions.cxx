@@ -21,7 +21,7 @@ namespace
 Options AsDrawn()
 {
   Options options;
-  options.RefuseInvalid = false;
+  options.Invalid = InvalidContours::LeaveOut;
   options.Orient = Orientation::AsDrawn;
   return options;
 }
@@ -29,7 +29,7 @@ Options AsDrawn()
 Options ByNesting()
 {
   Options options;
-  options.RefuseInvalid = false;
+  options.Invalid = InvalidContours::LeaveOut;
   return options;
 }
 

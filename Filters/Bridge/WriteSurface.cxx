@@ -9,6 +9,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -125,6 +126,14 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
   add("NumberOfReconciledVertices", result.Reconciled.Vertices);
   add("NumberOfReconciledEdges", result.Reconciled.Edges);
   add("NumberOfRepairs", static_cast<vtkIdType>(result.Repairs.size()));
+  if (!result.Frame.IsWorld())
+  {
+    auto* normals = AddArray<vtkDoubleArray>(data, "FamilyNormals", 3, 3);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      normals->SetTypedTuple(axis, result.Frame.Normal(axis).data());
+    }
+  }
 }
 }
 

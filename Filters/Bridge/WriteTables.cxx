@@ -85,13 +85,12 @@ bool AreOfTheirPorts(const ContourList& members)
 void WriteContourTable(const Reconstruction& result, vtkTable* table)
 {
   const ContourList& members = result.Members;
-  const bool hasBlocks = std::any_of(
-    members.Block.begin(), members.Block.end(), [](Index block) { return block > 0; });
+  const bool hasBlocks =
+    std::any_of(members.Block.begin(), members.Block.end(), [](Index block) { return block > 0; });
   auto* port = AddColumn<vtkIntArray>(table, "Port");
   auto* block = hasBlocks ? AddColumn<vtkIdTypeArray>(table, "Block") : nullptr;
   auto* cell = AddColumn<vtkIdTypeArray>(table, "Cell");
-  auto* sliceAxis =
-    AreOfTheirPorts(members) ? nullptr : AddColumn<vtkIntArray>(table, "SliceAxis");
+  auto* sliceAxis = AreOfTheirPorts(members) ? nullptr : AddColumn<vtkIntArray>(table, "SliceAxis");
   auto* plane = AddColumn<vtkIntArray>(table, "SlicePlane");
   auto* coordinate = AddColumn<vtkDoubleArray>(table, "PlaneCoordinate");
   AgreementColumns columns(table);

@@ -8,6 +8,7 @@
 #include "Core/Crossings/ReconcileSlices.h"
 #include "Core/Patches/CentralPoints.h"
 #include "Core/Patches/InnerPatches.h"
+#include "Core/Slices/ImageBorder.h"
 #include "Core/Slices/OrientContours.h"
 
 namespace orthoslices
@@ -18,6 +19,14 @@ enum class CrossingContours
   Repair,  ///< kept; EmbedArcs takes their arcs apart where they cross
   Refuse,  ///< no surface if there are any
   LeaveOut ///< removed
+};
+
+/// What happens to contours that are open, off their plane, without area or not finite.
+enum class InvalidContours
+{
+  Refuse,   ///< no surface if there are any
+  LeaveOut, ///< removed
+  Mend      ///< see AssembleContours; removed if that cannot be; no surface if nothing is left
 };
 
 /// Where slices are too few, virtual ones are cut from the surface that bends least between them; see
@@ -33,7 +42,8 @@ struct Options
 {
   double PlaneTolerance = 1e-5; ///< as a fraction of the diagonal of all contours
   Orientation Orient = Orientation::ByNesting;
-  bool RefuseInvalid = true; ///< no surface if a contour is open, off its plane or not finite
+  InvalidContours Invalid = InvalidContours::Mend;
+  BorderContours AtBorder = BorderContours::CloseAlong; ///< with InvalidContours::Mend
   CrossingContours Crossing = CrossingContours::Repair;
   bool SinglePrecision = false; ///< the result will be stored as float
   bool InsertMissing = true;    ///< contours that slices lack; see FindMissingContours

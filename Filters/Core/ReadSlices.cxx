@@ -13,6 +13,10 @@ namespace orthoslices
 {
 namespace
 {
+/// How far vertices of a single slice may be off their plane, as a share of the diagonal of all
+/// contours: rounding to three digits.
+constexpr double AloneTolerance = 1e-3;
+
 /// Diagonal of the bounding box of all finite coordinates of the input, without virtual pieces.
 double FindDiagonal(const std::array<Pieces, 3>& pieces)
 {
@@ -45,10 +49,20 @@ bool ReadContours(std::array<Pieces, 3>&& pieces, Pass& pass)
 {
   pass.Result.Diagonal = FindDiagonal(pieces);
   pass.Tables.Tolerance = pass.Settings.PlaneTolerance * pass.Result.Diagonal;
-  for (Pieces& set : pieces)
+  AssembleSettings settings;
+  settings.Tolerance = pass.Tables.Tolerance;
+  settings.Mend = pass.Settings.Invalid == InvalidContours::Mend;
+  settings.AloneTolerance = AloneTolerance * pass.Result.Diagonal;
+  settings.AtBorder = pass.Settings.AtBorder;
+  PieceProblems problems = AssembleContours(std::move(pieces), settings, pass.Tables.Contours);
+  pass.Result.Invalid = std::move(problems.Unusable);
+  pass.Result.Mended = std::move(problems.Mended);
+  if (pass.Tables.Contours.Count() == 0)
   {
-    AssembleContours(
-      std::move(set), pass.Tables.Tolerance, pass.Tables.Contours, pass.Result.Invalid);
+    // Nothing was mended, but all left out.
+    pass.Result.Invalid.insert(
+      pass.Result.Invalid.end(), pass.Result.Mended.begin(), pass.Result.Mended.end());
+    pass.Result.Mended.clear();
   }
   pass.Finish(Stage::AssembleContours);
   return pass.GoOn(0.15);
@@ -74,7 +88,7 @@ bool OrientSlices(Pass& pass)
     result.ContourCount[contours.Axis[contour]] += contours.IsVirtual(contour) ? 0 : 1;
   }
   result.InsideOut = options.Orient == Orientation::AsDrawn && BoundOutside(contours);
-  result.Refused = (options.RefuseInvalid && !result.Invalid.empty()) ||
+  result.Refused = (options.Invalid != InvalidContours::LeaveOut && !result.Invalid.empty()) ||
     (options.Crossing == CrossingContours::Refuse && !result.CrossingProblems.empty());
   pass.Finish(Stage::OrientContours);
   if (result.Refused || !pass.GoOn(0.35))

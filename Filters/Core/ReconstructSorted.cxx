@@ -83,9 +83,10 @@ void NameSources(const PolylineSources& from, Reconstruction& result)
   members.Block.assign(members.Cell.size(), 0);
   for (std::size_t i = 0; i < members.Cell.size(); ++i)
   {
-    if (!members.IsVirtual(i))
+    const std::int64_t line = members.Cell[i];
+    members.Port[i] = members.Axis[i];
+    if (line >= 0) // contours that were added come from nowhere
     {
-      const std::int64_t line = members.Cell[i];
       members.Port[i] = from.Port[line];
       members.Block[i] = from.Block[line];
       members.Cell[i] = from.Cell[line];

@@ -70,7 +70,9 @@ TEST(Reconstruct, DirectionsDoNotMatterUnlessTrusted)
 TEST(Reconstruct, RefusesWithTheListOfProblems)
 {
   const std::string text = Octahedron() + "; z=0: 5,5 6,6 6,5 5,6; x=0: 5,5 nan,6 6,6";
-  const Reconstruction refused = RunCore(text);
+  Options strict;
+  strict.Invalid = InvalidContours::Refuse;
+  const Reconstruction refused = RunCore(text, strict);
   EXPECT_TRUE(refused.Refused);
   EXPECT_EQ(refused.Cycles.Count(), 0);
   EXPECT_EQ(refused.Surface.TriangleCount(), 0);
@@ -83,7 +85,7 @@ TEST(Reconstruct, RefusesWithTheListOfProblems)
   for (const auto crossing : { CrossingContours::Repair, CrossingContours::LeaveOut })
   {
     Options options;
-    options.RefuseInvalid = false;
+    options.Invalid = InvalidContours::LeaveOut;
     options.Crossing = crossing;
     const Reconstruction kept = RunCore(text, options);
     EXPECT_FALSE(kept.Refused);

@@ -205,7 +205,7 @@ TEST(VirtualSlices, NeverChangeAContourInSinglePrecision)
     Options options;
     options.SinglePrecision = true;
     options.Orient = seed % 2 == 0 ? Orientation::ByNesting : Orientation::AsDrawn;
-    options.RefuseInvalid = false;
+    options.Invalid = InvalidContours::LeaveOut;
     input.Run(options);
     ASSERT_FALSE(input.Result.Refused);
     EXPECT_EQ(DescribeFlaws(input.Mesh), "");

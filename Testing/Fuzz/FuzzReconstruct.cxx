@@ -201,7 +201,7 @@ PieceSets MakeSets(const FuzzInput& input)
 Options MakeOptions(const FuzzInput& input)
 {
   Options options;
-  options.RefuseInvalid = false;
+  options.Invalid = InvalidContours::LeaveOut;
   options.SinglePrecision = input.Has('F');
   options.Orient = input.Has('D') ? Orientation::AsDrawn : Orientation::ByNesting;
   options.Crossing = input.Has('L') ? CrossingContours::LeaveOut : CrossingContours::Repair;

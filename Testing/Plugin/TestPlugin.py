@@ -39,7 +39,8 @@ def check_defaults():
     compare_defaults(slicer, expected)
     expected = {
         "Orientation": "By Nesting",
-        "InvalidContours": "Refuse",
+        "InvalidContours": "Mend",
+        "BorderContours": "Close Along Border",
         "InsertMissingContours": 1,
         "VirtualSlices": "Automatic",
         "VirtualSliceSpacing": 0.0,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Perturbations.h"
 
+#include "Support/PieceList.h"
 #include "Support/Random.h"
 
 #include <algorithm>
@@ -15,46 +16,6 @@ namespace support
 namespace
 {
 constexpr double Pi = 3.14159265358979323846;
-
-/// Pieces one by one, to be put together in another way.
-struct Piece
-{
-  std::vector<Point3> Vertices; ///< u, v, w
-  std::uint8_t Closed;
-};
-
-std::vector<Piece> TakeApart(const Pieces& pieces)
-{
-  std::vector<Piece> list;
-  for (Index i = 0; i < pieces.Count(); ++i)
-  {
-    list.push_back({ {}, pieces.Closed[i] });
-    for (Index vertex = pieces.Offsets[i]; vertex < pieces.Offsets[i + 1]; ++vertex)
-    {
-      list.back().Vertices.push_back({ pieces.U[vertex], pieces.V[vertex], pieces.W[vertex] });
-    }
-  }
-  return list;
-}
-
-void PutTogether(const std::vector<Piece>& list, Pieces& pieces)
-{
-  Pieces result;
-  result.Axis = pieces.Axis;
-  for (const Piece& piece : list)
-  {
-    for (const Point3& vertex : piece.Vertices)
-    {
-      result.U.push_back(vertex[0]);
-      result.V.push_back(vertex[1]);
-      result.W.push_back(vertex[2]);
-    }
-    result.Offsets.push_back(static_cast<Index>(result.U.size()));
-    result.Cell.push_back(result.Count());
-    result.Closed.push_back(piece.Closed);
-  }
-  pieces = std::move(result);
-}
 
 /// Calls change(vertices of one slice, random numbers) for every plane of every axis.
 template <typename Change>

@@ -117,7 +117,7 @@ Input RandomContradictoryInput(std::uint64_t seed)
   constexpr std::size_t changes = sizeof(Changes) / sizeof(Changes[0]);
   Input input;
   input.Sets = RandomSlices(seed, seed / changes % 2 ? InPlaneGrid::Aligned : InPlaneGrid::Free);
-  input.Settings.RefuseInvalid = false;
+  input.Settings.Invalid = InvalidContours::LeaveOut;
   Random random(seed);
   input.Settings.Crossing =
     random.Chance(0.7) ? CrossingContours::Repair : CrossingContours::LeaveOut;
@@ -190,7 +190,7 @@ Input RandomSparseInput(std::uint64_t seed)
     input.Sets = SliceSolid(solid, planes, 3, grid);
     ++trial;
   } while (input.Sets[0].Count() + input.Sets[1].Count() + input.Sets[2].Count() == 0);
-  input.Settings.RefuseInvalid = false;
+  input.Settings.Invalid = InvalidContours::LeaveOut;
   input.Settings.Known.Components = random.Chance(0.5) ? static_cast<Index>(random.Below(4)) : 0;
   input.Settings.Known.Genus = random.Chance(0.5) ? static_cast<Index>(random.Below(4)) : -1;
   input.Settings.MinComponent = random.Chance(0.1) ? random.Uniform(0.0, 0.3) : 0.0;

@@ -199,7 +199,10 @@ std::string Describe(const PieceSets& sets, const Options& options)
                                                              : ", leave out")
        << (options.Central == CentralPointMethod::Centroid ? ", centroid" : ", least squares")
        << (options.Virtual == VirtualSlices::Off ? "" : ", virtual slices")
-       << (options.RefuseInvalid ? ", refuse invalid" : ", leave invalid out") << "\n"
+       << (options.Invalid == InvalidContours::Refuse        ? ", refuse invalid"
+              : options.Invalid == InvalidContours::LeaveOut ? ", leave invalid out"
+                                                             : ", mend invalid")
+       << "\n"
        << ToText(sets);
   return text.str();
 }

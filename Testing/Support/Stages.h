@@ -29,7 +29,7 @@ struct Stages
     Options options;
     options.PlaneTolerance = Tolerance;
     options.Orient = Orientation::AsDrawn;
-    options.RefuseInvalid = false;
+    options.Invalid = InvalidContours::LeaveOut;
     this->Run(ParsePieces(text), options, false);
   }
 
@@ -115,7 +115,7 @@ inline Contours UsableContours(const PieceSets& pieces, const Options& options, 
 {
   Contours contours;
   Options untilThen = options;
-  untilThen.RefuseInvalid = false;
+  untilThen.Invalid = InvalidContours::LeaveOut;
   Execution execution;
   execution.Continue = [](double progress) { return progress < 0.3; };
   Reconstruct(PieceSets(pieces), untilThen, execution,

@@ -43,6 +43,22 @@ struct Polylines
     return axis == 0 ? this->X : axis == 1 ? this->Y : this->Z;
   }
 };
+
+/// Appends one of some polylines to others.
+inline void AppendLine(const Polylines& from, Index line, Polylines& to)
+{
+  for (Index i = from.Offsets[line]; i < from.Offsets[line + 1]; ++i)
+  {
+    to.X.push_back(from.X[i]);
+    to.Y.push_back(from.Y[i]);
+    to.Z.push_back(from.Z[i]);
+  }
+  to.Offsets.push_back(static_cast<Index>(to.X.size()));
+  to.Closed.push_back(from.Closed[line]);
+  to.From.Port.push_back(from.From.Port[line]);
+  to.From.Block.push_back(from.From.Block[line]);
+  to.From.Cell.push_back(from.From.Cell[line]);
+}
 }
 
 #endif

@@ -14,8 +14,7 @@ AxisFrame::AxisFrame(const std::array<Point3, 3>& normals)
   const double volume = Dot(normals[0], Cross(normals[1], normals[2]));
   for (int axis = 0; axis < 3 && !this->World; ++axis)
   {
-    this->Edges[axis] =
-      (1.0 / volume) * Cross(normals[FirstAxis(axis)], normals[SecondAxis(axis)]);
+    this->Edges[axis] = (1.0 / volume) * Cross(normals[FirstAxis(axis)], normals[SecondAxis(axis)]);
   }
 }
 

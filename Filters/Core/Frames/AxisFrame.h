@@ -47,8 +47,8 @@ public:
   /// The normal in the world of a surface that has a normal along the axes; zero stays zero.
   Point3 NormalToWorld(const Point3& along) const
   {
-    return Unit(along[0] * this->Normals[0] + along[1] * this->Normals[1] +
-      along[2] * this->Normals[2]);
+    return Unit(
+      along[0] * this->Normals[0] + along[1] * this->Normals[1] + along[2] * this->Normals[2]);
   }
 
 private:

@@ -52,8 +52,8 @@ std::vector<PlaneFamily> Cluster(const std::vector<PieceGroup>& groups, const Pl
 {
   std::vector<Index> order(groups.size());
   std::iota(order.begin(), order.end(), 0);
-  order.erase(std::remove_if(order.begin(), order.end(),
-                [&](Index i) { return !groups[i].IsPlanar(); }),
+  order.erase(
+    std::remove_if(order.begin(), order.end(), [&](Index i) { return !groups[i].IsPlanar(); }),
     order.end());
   std::stable_sort(order.begin(), order.end(),
     [&](Index a, Index b) { return groups[a].Weight() > groups[b].Weight(); });
@@ -80,6 +80,14 @@ std::vector<PlaneFamily> Cluster(const std::vector<PieceGroup>& groups, const Pl
     AddTo(*nearest, group);
   }
   return families;
+}
+
+/// Whether contours make a family, where `largest` is the weight of the greatest contour of all.
+bool SaysEnough(const PlaneFamily& family, double largest)
+{
+  const bool isLarge = family.Largest >= LeastShare * largest;
+  const bool isPlane = family.Points.Points > 3; // any three points lie on one
+  return (isLarge && isPlane) || family.Contours >= LeastContours;
 }
 
 /// Normals of which an axis of the world says as much become that.
@@ -228,8 +236,7 @@ std::vector<PlaneFamily> FindFamilies(
   }
   MergeAlike(families);
   families.erase(std::remove_if(families.begin(), families.end(),
-                   [&](const PlaneFamily& f)
-                   { return f.Largest < LeastShare * largest && f.Contours < LeastContours; }),
+                   [&](const PlaneFamily& family) { return !SaysEnough(family, largest); }),
     families.end());
   std::stable_sort(families.begin(), families.end(),
     [](const PlaneFamily& a, const PlaneFamily& b) { return a.Weight > b.Weight; });

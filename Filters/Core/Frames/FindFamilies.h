@@ -31,10 +31,10 @@ PlaneNoise MeasureNoise(const std::vector<PieceGroup>& groups, double tolerance)
 struct PlaneFamily
 {
   Point3 Normal{ 0.0, 0.0, 0.0 };
-  Scatter Points;       ///< of all contours, each around its own centre
+  Scatter Points; ///< of all contours, each around its own centre
   Index Contours = 0;
-  double Weight = 0.0;  ///< of all contours
-  double Largest = 0.0; ///< weight of one contour
+  double Weight = 0.0;                                 ///< of all contours
+  double Largest = 0.0;                                ///< weight of one contour
   std::array<double, 3> WeightOfPort{ 0.0, 0.0, 0.0 }; ///< of those from ports 0, 1 and 2
 
   /// Whether another normal would do as well: off the planes, the points are hardly farther then.

@@ -24,16 +24,15 @@ struct Scatter
 /// centre, so that a circle of radius 1 has a Length and a Width of 0.7.
 struct PlaneFit
 {
-  Point3 Normal{ 0.0, 0.0, 0.0 }; ///< of unit length
-  double Thickness = 0.0; ///< along the normal; rounding shows as 1e-8 of the length
+  Point3 Normal{ 0.0, 0.0, 0.0 };   ///< of unit length
+  double Thickness = 0.0;           ///< along the normal; rounding shows as 1e-8 of the length
   double Width = 0.0, Length = 0.0; ///< along the shorter and the longer axis within the plane
 };
 
 PlaneFit FitPlane(const Scatter& scatter);
 
 /// What the points of some polylines are scattered like; without points if any is not finite.
-Scatter MeasureScatter(
-  const Polylines& lines, const std::vector<Index>& members, Point3& center);
+Scatter MeasureScatter(const Polylines& lines, const std::vector<Index>& members, Point3& center);
 }
 
 #endif

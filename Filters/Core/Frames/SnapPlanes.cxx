@@ -65,8 +65,7 @@ void SnapPlanes(const std::vector<PieceGroup>& groups, const Point3& normal,
   LevelRuns(groups, std::max(noise.Tolerance, FactorOfMeans * noise.Typical), levels);
   for (const Level& level : levels)
   {
-    const double most =
-      std::max(noise.Tolerance, FactorOfVertices * noise.Of(groups[level.Group]));
+    const double most = std::max(noise.Tolerance, FactorOfVertices * noise.Of(groups[level.Group]));
     for (const Index line : groups[level.Group].Members)
     {
       const auto piece = std::lower_bound(lines.begin(), lines.end(), line) - lines.begin();

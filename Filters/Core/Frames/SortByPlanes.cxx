@@ -170,12 +170,12 @@ private:
     {
       return nearest;
     }
-    if (group.IsPlanar() && nearest != NoAxis)
+    // Any three points lie on a plane: it says nothing that they do.
+    if (group.IsPlanar() && group.Points.Points > 3 && nearest != NoAxis)
     {
       return NoAxis;
     }
-    const bool isOfPort =
-      group.Port < 3 && (nearest == NoAxis || this->Axes.HasFamily[group.Port]);
+    const bool isOfPort = group.Port < 3 && (nearest == NoAxis || this->Axes.HasFamily[group.Port]);
     return isOfPort ? group.Port : std::max(nearest, 0);
   }
 
@@ -231,7 +231,7 @@ void Distribute(const Polylines& lines, AxisOf&& axisOf, SortedSlices& sorted)
     const int axis = axisOf(line);
     if (axis == NoAxis)
     {
-      sorted.Others.push_back(line);
+      AppendLine(lines, line, sorted.Others);
     }
     else
     {
@@ -248,7 +248,8 @@ SortedSlices SortByPlanes(const Polylines& lines, const FrameOptions& options)
   const double tolerance = options.PlaneTolerance * FindDiagonal(lines);
   if (options.Choice != FrameChoice::Given && AreSorted(lines, tolerance))
   {
-    Distribute(lines, [&](Index line) { return int(lines.From.Port[line]); }, sorted);
+    Distribute(
+      lines, [&](Index line) { return int(lines.From.Port[line]); }, sorted);
     return sorted;
   }
   Sorter sorter(lines, tolerance);
@@ -271,12 +272,14 @@ SortedSlices SortByPlanes(const Polylines& lines, const FrameOptions& options)
     sorter.Sort();
   }
   sorted.Frame = sorter.Frame();
-  Distribute(lines, [&](Index line) { return int(sorter.AxisOfLine()[line]); }, sorted);
+  Distribute(
+    lines, [&](Index line) { return int(sorter.AxisOfLine()[line]); }, sorted);
   if (!sorted.Frame.IsWorld())
   {
     for (Pieces& pieces : sorted.Slices)
     {
-      SnapPlanes(sorter.AllGroups(), sorted.Frame.Normal(pieces.Axis), sorter.NoiseOfPlanes(), pieces);
+      SnapPlanes(
+        sorter.AllGroups(), sorted.Frame.Normal(pieces.Axis), sorter.NoiseOfPlanes(), pieces);
     }
   }
   return sorted;

@@ -32,8 +32,8 @@ struct SortedSlices
   AxisFrame Frame;
   /// Along the axes of the frame. Their cells are the numbers of the polylines.
   std::array<Pieces, 3> Slices;
-  /// The polylines on planes at other angles, which are no slices of the grid.
-  std::vector<Index> Others;
+  /// The polylines on planes at other angles, which are no slices of the grid; in the world.
+  Polylines Others;
   PolylineSources From; ///< of all polylines
 };
 

@@ -18,6 +18,30 @@ void CopyPiece(const Pieces& from, Index piece, std::int64_t line, Pieces& to)
   to.Cell.push_back(line);
   to.Closed.push_back(from.Closed[piece]);
 }
+
+/// Whether two sources of polylines are one.
+bool IsSame(const PolylineSources& a, Index i, const PolylineSources& b, Index j)
+{
+  return a.Port[i] == b.Port[j] && a.Block[i] == b.Block[j] && a.Cell[i] == b.Cell[j];
+}
+
+/// Those on planes of no family, which come in the order of all polylines.
+void SplitOthers(
+  const SortedSlices& sorted, const std::vector<Index>& labels, std::vector<SortedSlices>& parts)
+{
+  Index line = 0;
+  for (Index other = 0; other < sorted.Others.Count(); ++other)
+  {
+    while (!IsSame(sorted.From, line, sorted.Others.From, other))
+    {
+      ++line;
+    }
+    if (labels[line] != NoLabel)
+    {
+      AppendLine(sorted.Others, other, parts[labels[line]].Others);
+    }
+  }
+}
 }
 
 std::vector<SortedSlices> SplitByLabel(
@@ -50,6 +74,7 @@ std::vector<SortedSlices> SplitByLabel(
       part.From.Cell.push_back(sorted.From.Cell[line]);
     }
   }
+  SplitOthers(sorted, labels, parts);
   return parts;
 }
 

@@ -15,8 +15,7 @@ constexpr Index NoLabel = -1;
 /**
  * The slices of each label by themselves, in the common axes, in the order of the input (our own
  * addition). `labels` has the label of each polyline: from 0 to `count` - 1, or NoLabel for what
- * belongs to none. A plane on which a label has no contours is no plane of that label. Polylines on
- * planes of no family (SortedSlices::Others) are left out.
+ * belongs to none. A plane on which a label has no contours is no plane of that label.
  */
 std::vector<SortedSlices> SplitByLabel(
   const SortedSlices& sorted, const std::vector<Index>& labels, Index count);

@@ -4,28 +4,47 @@
 #define OrthoSlicesAssembleContours_h
 
 #include "Core/Base/Contours.h"
+#include "Core/Slices/ImageBorder.h"
 
 #include <vector>
 
 namespace orthoslices
 {
+struct AssembleSettings
+{
+  /// Of planes, of ends that are joined, and of the width of flat loops, in world units.
+  double Tolerance = 0.0;
+  bool Mend = false; ///< what is incomplete or not exact is mended, else it is a problem
+  /// With Mend, how far the vertices of a single slice may be off their plane, in world units.
+  double AloneTolerance = 0.0;
+  BorderContours AtBorder = BorderContours::CloseAlong; ///< with Mend
+};
+
+/// What was found to be wrong with the pieces.
+struct PieceProblems
+{
+  std::vector<Problem> Unusable; ///< their contours are not there
+  std::vector<Problem> Mended;   ///< with Mend: mended, or left out
+};
+
 /**
- * Joins the pieces of one axis to closed contours, finds the plane of each and appends them to
+ * Joins the pieces of the three axes to closed contours, finds the plane of each and appends them to
  * `contours` (the paper's input, section 3; the joining is our own).
  *
- *  - End points that coincide exactly are joined; what is still loose is joined to the nearest
- * loose end within `tolerance`. Where more than two ends meet, the pieces are paired so that they
- * do not cross.
- *  - A piece of three or more points with two loose ends is closed by a last segment if the gap is
- * at most twice its longest segment. Everything else with a loose end is open.
- *  - A plane's coordinate is that of the contour's first vertex; all vertices have to lie within
- * `tolerance` of it and are moved onto it.
+ *  - Ends are joined as JoinPieces says. A single piece of three or more points whose ends meet no
+ *    others is closed by a last segment if the gap is at most twice its longest segment. Everything
+ *    else with a loose end is open.
+ *  - A plane's coordinate is that of the contour's first vertex; all vertices have to lie within the
+ *    tolerance of it and are moved onto it.
  *  - Repeated consecutive vertices are dropped, then contours with fewer than three vertices.
  *
- * Contours with a problem are not appended; the problem is.
+ * Contours with a problem are not appended. With Mend, vertices are put on their planes first, as
+ * MoveOntoPlanes says, and open contours are closed as MendCurves says; loops without area are left
+ * out, and whatever cannot be mended. Mended contours come after those of all axes that needed nothing,
+ * and input that needs nothing gives the same either way.
  */
-void AssembleContours(
-  Pieces&& pieces, double tolerance, Contours& contours, std::vector<Problem>& problems);
+PieceProblems AssembleContours(
+  std::array<Pieces, 3>&& pieces, const AssembleSettings& settings, Contours& contours);
 }
 
 #endif

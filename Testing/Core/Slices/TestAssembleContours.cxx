@@ -28,10 +28,9 @@ struct Assembled
 Assembled Assemble(const PieceSets& sets, double tolerance = 0.0)
 {
   Assembled result;
-  for (Pieces pieces : sets)
-  {
-    AssembleContours(std::move(pieces), tolerance, result.Set, result.Problems);
-  }
+  AssembleSettings settings;
+  settings.Tolerance = tolerance;
+  result.Problems = AssembleContours(PieceSets(sets), settings, result.Set).Unusable;
   return result;
 }
 
@@ -329,4 +328,112 @@ TEST(AssembleContours, MinusZeroMeetsZero)
   const Assembled result = Assemble("z=0 open: 0,0 1,0 1,1; z=0 open: 1,1 0,1 -0,-0");
   ASSERT_EQ(result.Set.Count(), 1);
   EXPECT_EQ(result.Set.Size(0), 4);
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// With Mend; Problems are those that were mended or left out.
+Assembled Mend(const std::string& text, double tolerance = 0.0)
+{
+  Assembled result;
+  AssembleSettings settings;
+  settings.Tolerance = tolerance;
+  settings.Mend = true;
+  const PieceProblems problems = AssembleContours(ParsePieces(text), settings, result.Set);
+  EXPECT_TRUE(problems.Unusable.empty());
+  result.Problems = problems.Mended;
+  return result;
+}
+}
+
+TEST(AssembleContours, MendingChangesNothingThatNeedsNothing)
+{
+  for (std::uint64_t seed = 0; seed < 50; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    PieceSets sets = RandomLoops(seed);
+    if (seed % 2 == 1)
+    {
+      SplitIntoSegments(sets, seed);
+    }
+    const Assembled plain = Assemble(sets);
+    const Assembled mended = Mend(ToText(sets));
+    EXPECT_TRUE(mended.Problems.empty());
+    EXPECT_EQ(mended.Set.U, plain.Set.U);
+    EXPECT_EQ(mended.Set.V, plain.Set.V);
+    EXPECT_EQ(mended.Set.Offsets, plain.Set.Offsets);
+    EXPECT_EQ(mended.Set.Cell, plain.Set.Cell);
+    EXPECT_EQ(mended.Set.Coordinate, plain.Set.Coordinate);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(AssembleContours, JunkIsLeftOutAndListed)
+{
+  const struct
+  {
+    const char* Text;
+    ProblemKind Kind;
+    double Size;
+  } cases[] = { { "z=0 open: 5,5 6,5", ProblemKind::TooShort, 1.0 },
+    { "z=0: 5,5 5,5 6,5", ProblemKind::TooShort, 1.0 },
+    { "z=0: 5,5 6,6 8,8", ProblemKind::Flat, std::sqrt(18.0) },
+    { "z=0: 5,5 6,5 6,7 6,5", ProblemKind::Flat, 5.0 },
+    { "z=0: 5,5 6,5 6,7 6,5 5,5 4,2", ProblemKind::Flat, 6.0 + std::sqrt(10.0) },
+    { "z=0: 5,5 nan,5 6,6", ProblemKind::NotFinite, 0.0 },
+    { "z=0: 5,5 6,5,0.5 6,6", ProblemKind::OffPlane, 0.5 },
+    { "z=0 open: 5,5 6,5 7,5 8,5", ProblemKind::Open, 3.0 } };
+  for (const auto& one : cases)
+  {
+    SCOPED_TRACE(one.Text);
+    const Assembled result =
+      Mend("z=0: 0,0 1,0 1,1; " + std::string(one.Text) + "; z=1: 0,0 1,0 1,1");
+    EXPECT_EQ(result.Set.Count(), 2);
+    ASSERT_EQ(result.Problems.size(), 1u);
+    EXPECT_EQ(result.Problems[0].Kind, one.Kind);
+    EXPECT_EQ(result.Problems[0].Cell, 1);
+    EXPECT_TRUE(result.Problems[0].IsLeftOut);
+    EXPECT_NEAR(result.Problems[0].Size, one.Size, 1e-12);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(AssembleContours, LoopsWithZeroSignedAreaAreNotFlat)
+{
+  // A figure eight, and two squares that touch in a corner.
+  const Assembled result = Mend("z=0: 0,0 2,2 2,0 0,2; z=1: 0,0 1,0 1,1 2,1 2,2 1,2 1,1 0,1");
+  EXPECT_EQ(result.Set.Count(), 2);
+  EXPECT_TRUE(result.Problems.empty());
+}
+
+//----------------------------------------------------------------------------
+TEST(AssembleContours, VerticesBesideTheirPlaneAreMovedAndReported)
+{
+  const Assembled result =
+    Mend("z=0: 0,0 1,0,0.01 1,1,-0.02 0,1; z=1: 0,0 1,0 1,1; z=2: 0,0 1,0 1,1", 1e-4);
+  ASSERT_EQ(result.Set.Count(), 3);
+  EXPECT_EQ(result.Set.Size(0), 4);
+  EXPECT_EQ(result.Set.Coordinate[0], 0.0);
+  ASSERT_EQ(result.Problems.size(), 1u);
+  EXPECT_EQ(result.Problems[0].Kind, ProblemKind::MovedOntoPlane);
+  EXPECT_EQ(result.Problems[0].Size, 0.02);
+  EXPECT_EQ(result.Problems[0].Where, (Point3{ 1.0, 1.0, -0.02 }));
+  EXPECT_FALSE(result.Problems[0].IsLeftOut);
+}
+
+//----------------------------------------------------------------------------
+TEST(AssembleContours, OpenCurvesBecomeContoursAfterAllOthers)
+{
+  const Assembled result =
+    Mend("x=0 open: 0,0 4,0 4,4 0,4 0,3 0,2.5; x=0: 8,8 9,8 9,9; z=0: 0,0 1,0 1,1\n"
+         "x=0 open: 20,0 24,0 24,4 20,4 20,0 21,0");
+  ASSERT_EQ(result.Set.Count(), 4);
+  EXPECT_EQ(result.Set.Cell, (std::vector<std::int64_t>{ 0, 1, 0, 2 }));
+  EXPECT_EQ(result.Set.Axis, (std::vector<std::int8_t>{ 0, 0, 2, 0 }));
+  EXPECT_EQ(Canonical(LoopOf(result.Set, 3)), (Loop{ { 20, 0 }, { 20, 4 }, { 24, 4 }, { 24, 0 } }));
+  ASSERT_EQ(result.Problems.size(), 1u) << "the first lacks less than twice its longest segment";
+  EXPECT_EQ(result.Problems[0].Kind, ProblemKind::OverrunTrimmed);
+  EXPECT_EQ(result.Problems[0].Size, 1.0);
+  EXPECT_EQ(result.Problems[0].Cell, 2);
 }
