@@ -4,6 +4,7 @@
 
 #include "Bridge/AppendLabels.h"
 #include "Bridge/CompareOthers.h"
+#include "Bridge/CutAtBorder.h"
 #include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
@@ -61,6 +62,7 @@ constexpr Choice<orthoslices::InvalidContours> InvalidContoursModes[] = {
 };
 constexpr Choice<orthoslices::BorderContours> BorderContoursModes[] = {
   { Filter::CLOSE_ALONG_BORDER, orthoslices::BorderContours::CloseAlong, "CloseAlongBorder" },
+  { Filter::LEAVE_OPEN_AT_BORDER, orthoslices::BorderContours::LeaveOpen, "LeaveOpen" },
   { Filter::REFUSE_AT_BORDER, orthoslices::BorderContours::Refuse, "Refuse" }
 };
 constexpr Choice<orthoslices::CrossingContours> CrossingContoursModes[] = {
@@ -68,6 +70,10 @@ constexpr Choice<orthoslices::CrossingContours> CrossingContoursModes[] = {
   { Filter::REFUSE_CROSSING, orthoslices::CrossingContours::Refuse, "Refuse" },
   { Filter::LEAVE_OUT_CROSSING, orthoslices::CrossingContours::LeaveOut, "LeaveOut" }
 };
+constexpr Choice<orthoslices::LoopRule> LoopRules[] = { { Filter::UNION,
+                                                          orthoslices::LoopRule::Union, "Union" },
+  { Filter::EVEN_ODD, orthoslices::LoopRule::EvenOdd, "EvenOdd" },
+  { Filter::NON_ZERO, orthoslices::LoopRule::NonZero, "NonZero" } };
 constexpr Choice<orthoslices::FrameChoice> Frames[] = {
   { Filter::AUTOMATIC_FRAME, orthoslices::FrameChoice::Automatic, "Automatic" },
   { Filter::WORLD_FRAME, orthoslices::FrameChoice::World, "World" },
@@ -116,9 +122,9 @@ constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
   return true;
 }
 static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
-    IsIndexed(BorderContoursModes) && IsIndexed(CrossingContoursModes) && IsIndexed(Frames) &&
-    IsIndexed(VirtualSlicesModes) && IsIndexed(SeveralCyclesModes) && IsIndexed(Correspondences) &&
-    IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
+    IsIndexed(BorderContoursModes) && IsIndexed(CrossingContoursModes) && IsIndexed(LoopRules) &&
+    IsIndexed(Frames) && IsIndexed(VirtualSlicesModes) && IsIndexed(SeveralCyclesModes) &&
+    IsIndexed(Correspondences) && IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
   "The setters clamp properties to their first and last value");
 
 /// One for each family, and one for contours of any families.
@@ -236,10 +242,6 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   orthoslices::SortedSlices sorted = this->SortInputs(inputs);
   const bool doublePrecision = this->NeedsDoublePrecision(inputs, sorted);
   options.SinglePrecision = !doublePrecision;
-  if (!doublePrecision && !sorted.Frame.IsWorld())
-  {
-    orthoslices::RoundToFloat(sorted.Slices);
-  }
   bool done = false;
   if (this->UsesLabels())
   {
@@ -526,6 +528,8 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.Invalid = InvalidContoursModes[this->InvalidContours].Value;
   options.AtBorder = BorderContoursModes[this->BorderContours].Value;
   options.Crossing = CrossingContoursModes[this->CrossingContours].Value;
+  options.Loops = LoopRules[this->LoopRule].Value;
+  options.RedrawnShare = this->RedrawnTolerance;
   if (std::any_of(this->AxisWeights, this->AxisWeights + 3, [](double w) { return w > 0.0; }))
   {
     std::copy_n(this->AxisWeights, 3, options.Weights.begin());
@@ -599,10 +603,12 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   this->UpdateProgress(ProgressBeforeSurface);
   const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures };
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
+  const orthoslices::Box3 openBorder = result.OpenBorder;
+  vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
   orthoslices::WriteSurface(std::move(result), orthoslices::ExecuteWithVtk(this), doublePrecision,
-    arrays, reportTolerance, vtkPolyData::GetData(outputs, 0));
-  orthoslices::WriteComponentTable(
-    vtkPolyData::GetData(outputs, 0), vtkTable::GetData(outputs, 7));
+    arrays, reportTolerance, surface);
+  orthoslices::CutAtBorder(openBorder, surface);
+  orthoslices::WriteComponentTable(surface, vtkTable::GetData(outputs, 7));
   this->UpdateProgress(1.0);
 }
 
@@ -626,6 +632,8 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BorderContours: " << BorderContoursModes[this->BorderContours].Name << "\n";
   os << indent << "CrossingContours: " << CrossingContoursModes[this->CrossingContours].Name
      << "\n";
+  os << indent << "LoopRule: " << LoopRules[this->LoopRule].Name << "\n";
+  os << indent << "RedrawnTolerance: " << this->RedrawnTolerance << "\n";
   os << indent << "Frame: " << Frames[this->Frame].Name << "\n";
   os << indent << "FrameNormals:";
   for (const double value : this->FrameNormals)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOrthogonalSliceReconstruction
- * @brief   closed surface from three mutually orthogonal sets of planar contours
+ * @brief   closed surface from up to three sets of planar contours, orthogonal to each other as a rule
  *
  * Reconstructs a closed, oriented triangle surface from contours that were drawn (or cut) on three
  * families of parallel planes, each orthogonal to one coordinate axis, after R. Svitak and
@@ -26,8 +26,21 @@
  * planes between the real ones, and the surface is made once more from all of them (VirtualSlices).
  *
  * @section Inputs Inputs
- * Ports 0, 1 and 2 (vtkPolyData; at least one must be connected): contours on planes of constant
- * x, y and z. With one family the filter joins parallel slices.
+ * Ports 0, 1 and 2: contours on planes of constant x, y and z. Port 3: contours on planes of any
+ * families. In fact each port takes any contours: they are sorted by the planes that they lie on. A
+ * port takes a vtkPolyData, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or
+ * vtkPartitionedDataSetCollection, of which all vtkPolyData count as one input. Ports without contours
+ * are families without slices; with one family the filter joins parallel slices.
+ *
+ * Planes need not lie across the axes of the world (see Frame). If they do not, the normals of up to three
+ * families are fitted to the contours by least squares. Which of them are the x-, y- and z-slices,
+ * their nearest axes say, or, if a normal is more than 40 degrees from any, their ports. If they are at
+ * right angles to each other, as far as noise lets one see, the surface is that of slices across x, y
+ * and z, turned. Else coordinates along the axes are distances along the normals of the families, the
+ * surface is made there, and mapped back by the inverse (see AxisFrame and ReconstructSorted in Core).
+ * Contours on planes of no family take no part: a warning names them and says how far the surface is
+ * from them.
+ *
  * The planes may come in any order and spacing, with different numbers on each axis. Contours are
  * accepted as lines and polygons: closed polylines (first point repeated or not), polygons, open
  * pieces and loose two-point segments in any order and direction, and any mixture; vertices and
@@ -63,7 +76,10 @@
  *    "NumberOfNodePoints", "NumberOfReconciledEdges", "NumberOfReconciledVertices",
  *    "NumberOfRepairs" (vtkIdType, one value each); on the shape of the triangles "SmallestAngle"
  *    (degrees), "ShareOfTrianglesAbove20Degrees" (all of whose angles are larger),
- *    "LargestAspectRatio" (longest side by the height over it) (double, one value each);
+ *    "LargestAspectRatio" (longest side by the height over it) (double, one value each); only where
+ *    the families do not lie across the axes of the world, "FamilyNormals" (double, 3 x 3), their unit
+ *    normals. Points, normals and curvatures are those of the world in any frame; axes, planes and cells
+ *    of M are those of the families, "PlaneCoordinate" a distance from the origin along the normal;
  *  - point data "MeanCurvature" and "GaussianCurvature" (float, see ComputeCurvatures; 1 / world
  *    units and its square, mean curvature positive where the surface is convex);
  *  - point data "Disagreement" (float): at a node point, the distance of the two contours along
@@ -106,7 +122,10 @@
  * Port 3, the contours (vtkTable), one row each: "Port", "SlicePlane" (int), "Cell" (vtkIdType;
  * of a contour made of several cells, one of them), "PlaneCoordinate" (double), and how it agrees
  * with the orthogonal contours: "NodePoints" (vtkIdType), "RmsDisagreement", "MaxDisagreement"
- * (double, world units).
+ * (double, world units). Only where contours come through other ports than those of their axes,
+ * "SliceAxis" (int), and only where inputs are composite, "Block" (vtkIdType), the flat index of the
+ * block. Contours on planes of no family come last, with "SlicePlane" -1 and the distances of their points
+ * from the surface as disagreement.
  *
  * Port 4, the slices (vtkTable), one row for each plane: "SliceAxis", "SlicePlane" (int),
  * "PlaneCoordinate", "NodePoints", "RmsDisagreement", "MaxDisagreement" as above; of the repairs
@@ -163,18 +182,20 @@
  * outputs of the others are empty.
  *
  * @section Guarantees Guarantees
- * G1 to G7 in Core/Reconstruct.h: closed, 2-manifold, consistently oriented outwards, contour
+ * G1 to G7 in Core/Reconstruct.h: closed (but for BorderContours = LEAVE_OPEN_AT_BORDER), 2-manifold, consistently oriented outwards, contour
  * vertices kept, the same bytes for any number of threads and on every execution, no two triangles
- * that cross, nothing outside the box of the contours by more than half a spacing.
+ * that cross, nothing outside the box of the contours by more than half a spacing. If slices do not lie
+ * across the axes of the world, the box is one along the axes of the families, and vertices are kept but for
+ * rounding.
  *
  * @section Errors Errors
- * A connected port without contours, no connected port, and contours of which none can be used are
+ * No contours on any port, contours of which none can be used, and given axes that are none are
  * errors, with empty outputs. Contours that are open, leave their plane by more than the tolerance,
  * have no area, or coordinates that are not finite are mended or else left out (InvalidContours =
  * MEND, the default): one warning counts them by kinds, with port, cell and coordinate of the first of
  * each kind, and port 6 lists them all. With REFUSE they are errors, with LEAVE_OUT all of them are left
- * out. So are contours that cross themselves or each other within one slice (CrossingContours), which by
- * default are repaired. Where the families contradict each other by more than ReportTolerance, one
+ * out. So are contours that cross themselves or each other within one slice (CrossingContours); by
+ * default one warning counts them, and LoopRule says what they bound. Where the families contradict each other by more than ReportTolerance, one
  * warning says so, and the "Disagreement" array shows where. It also tells of contours that take no
  * part in the surface, of a surface that is inside out, of ExpectedComponents and ExpectedGenus that
  * cannot be met, and of undecided places where the odds are near even and that matter: both parts
@@ -228,7 +249,8 @@ public:
   enum BorderContoursMode
   {
     CLOSE_ALONG_BORDER = 0,
-    REFUSE_AT_BORDER = 1
+    LEAVE_OPEN_AT_BORDER = 1,
+    REFUSE_AT_BORDER = 2
   };
 
   enum CrossingContoursMode
@@ -236,6 +258,13 @@ public:
     REPAIR_CROSSING = 0,
     REFUSE_CROSSING = 1,
     LEAVE_OUT_CROSSING = 2
+  };
+
+  enum LoopRuleMode
+  {
+    UNION = 0,
+    EVEN_ODD = 1,
+    NON_ZERO = 2
   };
 
   enum FrameMode
@@ -334,28 +363,56 @@ public:
   ///@{
   /**
    * What happens, with InvalidContours = MEND, to contours that end at the border of the image. They
-   * are closed along it (default), or the input is refused with an error. The border is a rectangle in
-   * the planes of each port. A side of it is where the contours reach farthest along an axis and two or
-   * more loose ends lie. Where contours could be closed on either side, they keep to the sides at which
-   * ends lie, and to the shorter way.
+   * are closed along it (default), or the surface is left open there, or the input is refused with an
+   * error. The border is a rectangle in the planes of each port. A side of it is where the contours reach
+   * farthest along an axis and two or more loose ends lie. Where contours could be closed on either side,
+   * they keep to the sides at which ends lie, and to the shorter way.
+   *
+   * Left open, the contours are continued at right angles across the border, for the mean distance of the
+   * slices, and the surface of these is cut off at it. It ends there with a boundary that lies on the
+   * border, and is closed elsewhere. The graph shows the contours as continued, and numbers of components
+   * and handles are those before the cut.
    */
   vtkSetClampMacro(BorderContours, int, CLOSE_ALONG_BORDER, REFUSE_AT_BORDER);
   vtkGetMacro(BorderContours, int);
   void SetBorderContoursToCloseAlongBorder() { this->SetBorderContours(CLOSE_ALONG_BORDER); }
+  void SetBorderContoursToLeaveOpen() { this->SetBorderContours(LEAVE_OPEN_AT_BORDER); }
   void SetBorderContoursToRefuse() { this->SetBorderContours(REFUSE_AT_BORDER); }
   ///@}
 
   ///@{
   /**
-   * What happens to contours that cross themselves or another contour of their slice: they are
-   * repaired where they cross, with a warning (default), the input is refused with an error, or
-   * they are left out with a warning.
+   * What happens to contours that cross or overlap themselves or another contour of their slice:
+   * LoopRule says what they bound, with a warning (default), the input is refused with an error if
+   * any cross, or these are left out with a warning.
    */
   vtkSetClampMacro(CrossingContours, int, REPAIR_CROSSING, LEAVE_OUT_CROSSING);
   vtkGetMacro(CrossingContours, int);
   void SetCrossingContoursToRepair() { this->SetCrossingContours(REPAIR_CROSSING); }
   void SetCrossingContoursToRefuse() { this->SetCrossingContours(REFUSE_CROSSING); }
   void SetCrossingContoursToLeaveOut() { this->SetCrossingContours(LEAVE_OUT_CROSSING); }
+  ///@}
+
+  ///@{
+  /**
+   * What contours of one slice bound together that cross or overlap each other or themselves, with
+   * CrossingContours = REPAIR_CROSSING.
+   *
+   * UNION (default): loops that overlap count as their union, loops within others as holes, and so on
+   * inwards, whatever their directions. All lobes of a loop that crosses itself are inside. An outline
+   * and a hole that are joined by a bridge drawn there and back are two loops.
+   *
+   * EVEN_ODD: what an odd number of loops runs around is inside. NON_ZERO: what they run around more
+   * often in one direction than in the other one.
+   *
+   * With Orientation = ORIENT_AS_DRAWN, UNION and NON_ZERO both take for inside what contours run around
+   * more often counter-clockwise than clockwise. Where no contours meet, UNION and EVEN_ODD are the same.
+   */
+  vtkSetClampMacro(LoopRule, int, UNION, NON_ZERO);
+  vtkGetMacro(LoopRule, int);
+  void SetLoopRuleToUnion() { this->SetLoopRule(UNION); }
+  void SetLoopRuleToEvenOdd() { this->SetLoopRule(EVEN_ODD); }
+  void SetLoopRuleToNonZero() { this->SetLoopRule(NON_ZERO); }
   ///@}
 
   ///@{
@@ -371,6 +428,18 @@ public:
   void SetFrameToAutomatic() { this->SetFrame(AUTOMATIC_FRAME); }
   void SetFrameToWorld() { this->SetFrame(WORLD_FRAME); }
   void SetFrameToGiven() { this->SetFrame(GIVEN_FRAME); }
+  ///@}
+
+  ///@{
+  /**
+   * A contour that was drawn a second time counts once, with a warning: if it is closer than this to
+   * the first one everywhere, as a share of its thickness (twice the area by the length: the radius of
+   * a circle, the width of a strip). A thin wall looks the same; it stays where slices across show
+   * both of its sides, or, without slices across, where its sides run in opposite directions on
+   * neighbouring slices. With 0, only exact copies are left out. Default 0.05, range 0 to 0.5.
+   */
+  vtkSetClampMacro(RedrawnTolerance, double, 0.0, 0.5);
+  vtkGetMacro(RedrawnTolerance, double);
   ///@}
 
   ///@{
@@ -606,7 +675,8 @@ public:
   ///@{
   /**
    * Precision of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or
-   * DEFAULT_PRECISION (default): double if any input has double points.
+   * DEFAULT_PRECISION (default): double if any input has double points, or if the slices do not lie
+   * across the axes of the world; single precision may make slivers of triangles touch in that case.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -614,7 +684,8 @@ public:
 
   /**
    * Connects one family of slices: the same as SetInputConnection(family - 1, output), with the
-   * x-slices as family 1, the y-slices as family 2 and the z-slices as family 3. ParaView's proxies
+   * x-slices as family 1, the y-slices as family 2, the z-slices as family 3, and slices of any
+   * families as 4. ParaView's proxies
    * use it: its Python takes the active source for an input with port index 0 that a script leaves
    * out, and no family may be made up.
    */
@@ -683,6 +754,8 @@ private:
   int InvalidContours = MEND;
   int BorderContours = CLOSE_ALONG_BORDER;
   int CrossingContours = REPAIR_CROSSING;
+  int LoopRule = UNION;
+  double RedrawnTolerance = 0.05;
   int SeveralCycles = BY_EVIDENCE;
   int Correspondence = CORRESPOND_BY_EVIDENCE;
   int ExpectedComponents = 0;

@@ -4,6 +4,7 @@
 
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
+#include "Bridge/ImageFrame.h"
 #include "Bridge/ReadSamples.h"
 #include "Bridge/ReadTriangles.h"
 #include "Bridge/WriteContours.h"
@@ -210,20 +211,21 @@ bool vtkOrthogonalSlicer::SliceImage(
   vtkImageData* input, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataArray* scalars = this->FindScalars(input, inputs);
-  SampleGrid grid;
+  ImageFrame frame;
   if (!scalars)
   {
     return false;
   }
-  if (!ReadSampleGrid(input, grid))
+  if (!ReadImageFrame(input, frame))
   {
-    vtkErrorMacro("The image's axes are not parallel to the coordinate axes; its direction matrix "
-                  "may only permute and flip them. Resample it (vtkImageReslice) or slice it in "
-                  "its own coordinates, with the identity for direction matrix.");
+    vtkErrorMacro("The image's direction matrix is singular: its axes lie in one plane.");
     return false;
   }
-  const Precision precision =
+  SampleGrid grid = ReadSampleGrid(input, frame);
+  const Precision stored =
     this->OutputPointsPrecision == SINGLE_PRECISION ? Precision::Single : Precision::Double;
+  // Oblique contours are rounded once, where they are in the world.
+  const Precision precision = frame.IsOblique ? Precision::Double : stored;
   const Region region{ this->UseLabel,
     this->UseLabel ? static_cast<double>(this->LabelValue) : this->IsoValue };
   std::vector<Index> samples[3];
@@ -258,6 +260,10 @@ bool vtkOrthogonalSlicer::SliceImage(
     {
       WriteContours(axis, precision, planes,
         SliceSamples(scalars, grid, axis, samples[axis], region, precision, execution), output);
+    }
+    if (frame.IsOblique)
+    {
+      MoveToWorld(frame, stored, output);
     }
   }
   return true;

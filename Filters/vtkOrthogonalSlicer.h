@@ -6,7 +6,8 @@
  *
  * Makes input for vtkOrthogonalSliceReconstruction from any model: cuts a closed surface, or the
  * region of an image at or above an iso-value or with one label, or each label of an image by itself,
- * on three families of parallel planes, each orthogonal to one coordinate axis.
+ * on three families of parallel planes, each orthogonal to one coordinate axis; of an image with a
+ * direction matrix, orthogonal to one axis of the image.
  *
  * @section Inputs Inputs
  * Port 0, one of
@@ -16,9 +17,8 @@
  *    creases of vtkCubeSource). A surface that encloses a negative volume is taken for one that is
  *    oriented inwards, and reversed as a whole.
  *  - vtkImageData: scalars on points, chosen with SetInputArrayToProcess() (default: the active
- *    point scalars; of several components the first). Its axes must be parallel to the
- *    coordinate axes; a direction matrix may permute or flip them. A scalar that is not a number
- *    is outside. Blanking is ignored.
+ *    point scalars; of several components the first). It may have any direction matrix that is
+ *    not singular: see below. A scalar that is not a number is outside. Blanking is ignored.
  *
  * In parallel runs the first process slices the whole input and the others' outputs are empty.
  *
@@ -63,11 +63,24 @@
  * square whose other samples are outside remain separate. The interior ends at the image's border
  * as if the image were padded with outside samples: half a spacing beyond the last sample.
  *
+ * @section Oblique Oblique images
+ * Where the direction matrix does no more than permute and flip the axes, planes are those of
+ * constant x, y and z. Else the slices are those of the image itself, and the contours lie on oblique
+ * planes, where they belong in the world. Ports 0, 1 and 2 have the slices across the image axes that
+ * are closest to x, y and z (all three together), each directed as its coordinate axis is. Planes and
+ * "PlaneCoordinate" are given along these axes: with unit vectors a, b and c along them, a point has
+ * the coordinates u, v and w for which it is u a + v b + w c. So "x" in the properties below is u.
+ * What is said above about a coordinate that equals the plane's then holds up to rounding; contours
+ * of two slices still share their crossings exactly. The axes need not be perpendicular to each other
+ * (images of an inclined gantry); where they are left-handed in the order of the ports, the axis that
+ * is farthest from its coordinate axis runs the other way. vtkOrthogonalSliceReconstruction finds such
+ * planes from the contours.
+ *
  * @section Errors Errors
  * With an error message and empty outputs: a surface that is open, has an edge with more than two
  * triangles or inconsistently oriented triangles (the first such edge is named with its
- * coordinates), points that are not finite, an image without point scalars or with oblique axes, a
- * spacing that is not positive, plane coordinates that are not finite, no plane at all.
+ * coordinates), points that are not finite, an image without point scalars or with a singular direction
+ * matrix, a spacing that is not positive, plane coordinates that are not finite, no plane at all.
  *
  * @sa vtkOrthogonalSliceReconstruction vtkCutter vtkFlyingEdges2D
  */

@@ -5,6 +5,7 @@
  * @brief   vtkOrthogonalSliceReconstruction as VTK users expect it
  */
 
+#include "Support/CheckEmbedding.h"
 #include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
 #include "Support/RandomInput.h"
@@ -140,6 +141,8 @@ TEST(ReconstructionFilter, DefaultsAndRanges)
   EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::MEND);
   EXPECT_EQ(filter->GetBorderContours(), vtkOrthogonalSliceReconstruction::CLOSE_ALONG_BORDER);
   EXPECT_EQ(filter->GetCrossingContours(), vtkOrthogonalSliceReconstruction::REPAIR_CROSSING);
+  EXPECT_EQ(filter->GetLoopRule(), vtkOrthogonalSliceReconstruction::UNION);
+  EXPECT_EQ(filter->GetRedrawnTolerance(), 0.05);
   EXPECT_EQ(filter->GetCentralPoint(), vtkOrthogonalSliceReconstruction::LEAST_SQUARES);
   EXPECT_TRUE(filter->GetComputeNormals());
   EXPECT_EQ(filter->GetOutputPointsPrecision(), vtkAlgorithm::DEFAULT_PRECISION);
@@ -155,6 +158,10 @@ TEST(ReconstructionFilter, DefaultsAndRanges)
   EXPECT_EQ(filter->GetBorderContours(), vtkOrthogonalSliceReconstruction::REFUSE_AT_BORDER);
   filter->SetCrossingContours(9);
   EXPECT_EQ(filter->GetCrossingContours(), vtkOrthogonalSliceReconstruction::LEAVE_OUT_CROSSING);
+  filter->SetLoopRule(9);
+  EXPECT_EQ(filter->GetLoopRule(), vtkOrthogonalSliceReconstruction::NON_ZERO);
+  filter->SetRedrawnTolerance(2.0);
+  EXPECT_EQ(filter->GetRedrawnTolerance(), 0.5);
   filter->SetCentralPoint(-3);
   EXPECT_EQ(filter->GetCentralPoint(), vtkOrthogonalSliceReconstruction::LEAST_SQUARES);
 }
@@ -169,10 +176,14 @@ TEST(ReconstructionFilter, EverySetterChangesTheTimeOnlyIfTheValueChanges)
     [&] { filter->SetInvalidContoursToLeaveOut(); },
     [&] { filter->SetInvalidContoursToRefuse(); },
     [&] { filter->SetInvalidContoursToMend(); },
+    [&] { filter->SetBorderContoursToLeaveOpen(); },
     [&] { filter->SetBorderContoursToRefuse(); },
     [&] { filter->SetBorderContoursToCloseAlongBorder(); },
     [&] { filter->SetCrossingContoursToRefuse(); },
     [&] { filter->SetCrossingContoursToLeaveOut(); },
+    [&] { filter->SetLoopRuleToEvenOdd(); },
+    [&] { filter->SetLoopRuleToNonZero(); },
+    [&] { filter->SetRedrawnTolerance(0.0); },
     [&] { filter->SetCentralPointToCentroid(); },
     [&] { filter->SetFrameToGiven(); },
     [&] { filter->SetFrameToWorld(); },
@@ -207,8 +218,9 @@ TEST(ReconstructionFilter, PrintsEveryProperty)
   std::ostringstream text;
   filter->Print(text);
   for (const char* name : { "PlaneTolerance: 1e-05", "Orientation: ", "InvalidContours: LeaveOut",
-         "BorderContours: CloseAlongBorder",
-         "CrossingContours: ", "Frame: Automatic", "FrameNormals: 1 0 0 0 1 0 0 0 1", "CentralPoint: ", "AxisWeights: 1 1 1", "ReportTolerance: 0.001",
+         "BorderContours: CloseAlongBorder", "CrossingContours: ", "LoopRule: Union",
+         "RedrawnTolerance: 0.05", "Frame: Automatic", "FrameNormals: 1 0 0 0 1 0 0 0 1",
+         "CentralPoint: ", "AxisWeights: 1 1 1", "ReportTolerance: 0.001",
          "ComputeNormals: ", "OutputPointsPrecision: " })
   {
     EXPECT_TRUE(Contains(text.str(), name)) << name;
@@ -397,19 +409,119 @@ TEST(ReconstructionFilter, LeavesOutUnusableContoursWithOneWarning)
 }
 
 //----------------------------------------------------------------------------
+TEST(ReconstructionFilter, MendsContoursWithOneWarningAndATable)
+{
+  // A segment that joins nothing, a flat loop, and one that is not finite.
+  TextRun run{ Cube() + "y=1.5 open: 3,4 8,9; z=1: 5,5 6,6 8,8; x=1: 0.6,0.6 nan,1 1,1" };
+  vtkPolyData* surface = run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  ASSERT_EQ(run.Warnings.size(), 1u);
+  for (const char* part : { "mended", "1 contour of one or two points", "1 contour without area",
+         "not finite", "port 0 (x-slices), cell 2", "port 1 (y-slices), cell 2", "(5, 5, 1)" })
+  {
+    EXPECT_TRUE(Contains(run.Warnings[0], part)) << run.Warnings[0];
+  }
+  const SurfaceCheck check = CheckSurface(MeshOf(surface));
+  EXPECT_TRUE(check.IsClosedManifold()) << check;
+  EXPECT_EQ(FieldValue(surface, "NumberOfContours"), 6);
+  vtkTable* table = run.Filter->GetProblemTable();
+  ASSERT_EQ(table, run.Filter->GetOutputDataObject(6));
+  ASSERT_EQ(table->GetNumberOfRows(), 3);
+  for (vtkIdType row = 0; row < 3; ++row)
+  {
+    EXPECT_EQ(table->GetValueByName(row, "LeftOut").ToInt(), 1);
+    EXPECT_EQ(table->GetValueByName(row, "Cell").ToInt(), 2);
+  }
+  // What is left of it says the same as the cube alone.
+  TextRun alone{ Cube() };
+  EXPECT_EQ(alone.Update()->GetNumberOfPoints(), surface->GetNumberOfPoints());
+  EXPECT_EQ(alone.Filter->GetProblemTable()->GetNumberOfRows(), 0);
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// Edges of one triangle that do not lie on a plane.
+int CountOpenEdgesOff(const TriangleMesh& mesh, int axis, double coordinate)
+{
+  std::map<std::pair<std::int64_t, std::int64_t>, int> edges;
+  for (const auto& triangle : mesh.Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::int64_t a = triangle[i], b = triangle[(i + 1) % 3];
+      ++edges[{ std::min(a, b), std::max(a, b) }];
+    }
+  }
+  return static_cast<int>(std::count_if(edges.begin(), edges.end(),
+    [&](const auto& edge)
+    {
+      return edge.second == 1 &&
+        (mesh.Points[edge.first.first][axis] != coordinate ||
+          mesh.Points[edge.first.second][axis] != coordinate);
+    }));
+}
+}
+
+TEST(ReconstructionFilter, ContoursThatEndAtTheBorderAreClosedOrRefused)
+{
+  // A square bar that the image cuts off at x = 3.
+  const std::string text =
+    "y=1 open: 1,3 1,0 2,0 2,3; y=2 open: 1,3 1,0 2,0 2,3\n"
+    "z=1.2 open: 3,0.5 0,0.5 0,2.5 3,2.5; z=1.8 open: 3,2.5 0,2.5 0,0.5 3,0.5\n"
+    "x=1: 0.5,1 2.5,1 2.5,2 0.5,2; x=2: 0.5,1 2.5,1 2.5,2 0.5,2";
+  TextRun run{ text };
+  vtkPolyData* surface = run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  ASSERT_EQ(run.Warnings.size(), 1u);
+  EXPECT_TRUE(Contains(run.Warnings[0], "4 contours that end at the border of the image"))
+    << run.Warnings[0];
+  EXPECT_TRUE(CheckSurface(MeshOf(surface)).IsClosedManifold());
+  double bounds[6];
+  surface->GetBounds(bounds);
+  EXPECT_GE(bounds[1], 3.0);
+  EXPECT_LE(bounds[1], 3.02) << "nothing beyond the border but two hundredths of a spacing";
+  EXPECT_EQ(run.Filter->GetProblemTable()->GetNumberOfRows(), 4);
+  TextRun open{ text };
+  open.Filter->SetBorderContoursToLeaveOpen();
+  surface = open.Update();
+  ASSERT_EQ(open.Warnings.size(), 1u);
+  EXPECT_TRUE(Contains(open.Warnings[0], "left open")) << open.Warnings[0];
+  surface->GetBounds(bounds);
+  EXPECT_EQ(bounds[1], 3.0);
+  const TriangleMesh mesh = MeshOf(surface);
+  const SurfaceCheck check = CheckSurface(mesh);
+  EXPECT_GT(check.OpenEdges, 8);
+  EXPECT_EQ(check.CrowdedEdges + check.InconsistentEdges + check.DegenerateTriangles, 0);
+  EXPECT_EQ(check.UnusedPoints, 0);
+  EXPECT_TRUE(FindMeetings(mesh).empty());
+  EXPECT_EQ(CountOpenEdgesOff(mesh, 0, 3.0), 0);
+  EXPECT_EQ(
+    surface->GetPointData()->GetNormals()->GetNumberOfTuples(), surface->GetNumberOfPoints());
+  EXPECT_EQ(
+    surface->GetCellData()->GetArray("GridCell")->GetNumberOfTuples(), surface->GetNumberOfCells());
+  TextRun refused{ text };
+  refused.Filter->SetBorderContoursToRefuse();
+  refused.Update();
+  ASSERT_GE(refused.Errors.size(), 1u);
+  EXPECT_TRUE(Contains(refused.Errors[0], "is open")) << refused.Errors[0];
+}
+
+//----------------------------------------------------------------------------
 TEST(ReconstructionFilter, RepairsCrossingContoursWithOneWarning)
 {
   // A second square of the same slice crosses the first one; then a contour that crosses itself.
-  for (const char* more :
-    { "z=1: 2,2 2.8,2 2.8,2.8 2,2.8", "z=1.5: 0.5,0.5 2.5,2.5 2.5,0.5 0.5,2.5" })
+  for (const auto& [more, kind] :
+    { std::make_pair("z=1: 2,2 2.8,2 2.8,2.8 2,2.8", "overlap others"),
+      std::make_pair("z=1.5: 0.5,0.5 2.5,2.5 2.5,0.5 0.5,2.5", "cross themselves") })
   {
     SCOPED_TRACE(more);
     TextRun run{ Cube() + more };
     vtkPolyData* surface = run.Update();
     EXPECT_TRUE(run.Errors.empty());
     ASSERT_EQ(run.Warnings.size(), 1u);
-    EXPECT_TRUE(Contains(run.Warnings[0], "port 2 (z-slices), cell 2")) << run.Warnings[0];
-    EXPECT_TRUE(Contains(run.Warnings[0], "repaired")) << run.Warnings[0];
+    EXPECT_TRUE(Contains(run.Warnings[0], "port 2 (z-slices), cell ")) << run.Warnings[0];
+    EXPECT_TRUE(Contains(run.Warnings[0], kind)) << run.Warnings[0];
     const SurfaceCheck check = CheckSurface(MeshOf(surface));
     EXPECT_TRUE(check.IsClosedManifold()) << check;
     EXPECT_GT(check.Components, 0);

@@ -25,7 +25,7 @@ if ! cmake -G Ninja -S . -B "$folder" -DPython3_EXECUTABLE=/usr/bin/python3 -Wno
   cat "$folder.log"
   exit 1
 fi
-targets=(OrthogonalSlices)
+targets=(OrthogonalSlices vtkFiltersOrthogonalSlicesPython)
 if [ -e Testing/Baselines/CompareMethods.cxx ]; then
   targets+=(CompareMethods)
 fi

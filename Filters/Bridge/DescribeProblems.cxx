@@ -43,9 +43,9 @@ constexpr KindTexts Texts[] = { { "NotFinite", "has a coordinate that is not fin
   { "LeftOpen", "ends at the border of the image",
     "that end at the border of the image: the surface is left open there", nullptr },
   { "LoopsUnited", "overlaps another contour of its slice",
-    "that overlap others of their slice: united", nullptr },
+    "that cross or overlap others of their slice: taken together", nullptr },
   { "BridgeRemoved", "has a bridge that is drawn twice",
-    "with a bridge to a hole, drawn there and back: taken for outline and hole", nullptr },
+    "with a bridge that is drawn there and back: left out", nullptr },
   { "LoopSplit", "touches itself", "that touch or cross themselves: split there", nullptr },
   { "DrawnTwice", "is drawn twice", "that are drawn twice: counted once",
     "at a distance of up to" } };

@@ -65,9 +65,11 @@ void PieceReader::AddPoint(vtkIdType point)
   {
     this->Points->GetTuple(point, x);
   }
-  if (this->Round)
+  for (int i = 0; i < 3 && this->Round; ++i)
   {
-    std::transform(x, x + 3, x, [](double value) { return static_cast<float>(value); });
+    // Volatile, because GCC 12 at -O3 vectorizes the conversion to float and back away.
+    volatile float rounded = static_cast<float>(x[i]);
+    x[i] = rounded;
   }
   this->Target.X.push_back(x[0]);
   this->Target.Y.push_back(x[1]);

@@ -4,7 +4,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkMatrix3x3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,28 +12,6 @@ namespace orthoslices
 {
 namespace
 {
-/// Direction cosines may differ this much from 0, 1 and -1.
-constexpr double DirectionTolerance = 1e-6;
-
-/// The coordinate axis that an index axis of the image is parallel to, or -1.
-int ParallelAxis(vtkMatrix3x3* direction, int indexAxis)
-{
-  int parallel = -1;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double cosine = std::abs(direction->GetElement(axis, indexAxis));
-    if (std::abs(cosine - 1.0) <= DirectionTolerance)
-    {
-      parallel = axis;
-    }
-    else if (!(cosine <= DirectionTolerance))
-    {
-      return -1;
-    }
-  }
-  return parallel;
-}
-
 /// The samples on the plane of one sample across `axis`.
 SamplePlane ReadPlane(
   vtkDataArray* scalars, const SampleGrid& grid, int axis, Index sample, const Region& region)
@@ -70,33 +47,27 @@ Index SampleAxis::Nearest(double coordinate) const
   return static_cast<Index>(upper - begin) - (lower ? 1 : 0);
 }
 
-bool ReadSampleGrid(vtkImageData* image, SampleGrid& grid)
+SampleGrid ReadSampleGrid(vtkImageData* image, const ImageFrame& frame)
 {
   const int* extent = image->GetExtent();
   const int* size = image->GetDimensions();
   const std::ptrdiff_t strides[] = { 1, size[0], static_cast<std::ptrdiff_t>(size[0]) * size[1] };
-  for (int indexAxis = 0; indexAxis < 3; ++indexAxis)
+  SampleGrid grid;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const int axis = ParallelAxis(image->GetDirectionMatrix(), indexAxis);
-    if (axis < 0 || !grid.Axes[axis].Coordinates.empty())
-    {
-      return false;
-    }
-    const bool ascends =
-      image->GetDirectionMatrix()->GetElement(axis, indexAxis) * image->GetSpacing()[indexAxis] >
-      0.0;
-    const double step = std::abs(image->GetSpacing()[indexAxis]);
-    const double origin = image->GetOrigin()[axis];
+    const int indexAxis = frame.IndexAxis[axis];
+    const bool ascends = frame.Step[axis] > 0.0;
+    const double step = std::abs(frame.Step[axis]);
     const int lowest = ascends ? extent[2 * indexAxis] : -extent[2 * indexAxis + 1];
     SampleAxis& samples = grid.Axes[axis];
     for (int i = -1; i <= size[indexAxis]; ++i)
     {
-      samples.Coordinates.push_back(origin + step * (static_cast<double>(lowest) + i));
+      samples.Coordinates.push_back(frame.Origin[axis] + step * (static_cast<double>(lowest) + i));
     }
     samples.Stride = ascends ? strides[indexAxis] : -strides[indexAxis];
     grid.First += ascends ? 0 : strides[indexAxis] * (size[indexAxis] - 1);
   }
-  return true;
+  return grid;
 }
 
 void RoundCoordinates(Precision precision, SampleGrid& grid)

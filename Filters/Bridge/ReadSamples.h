@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesReadSamples_h
 #define OrthoSlicesReadSamples_h
 
+#include "Bridge/ImageFrame.h"
 #include "Core/Base/Execution.h"
 #include "Core/Slicing/SliceLabels.h"
 
@@ -14,7 +15,7 @@ class vtkImageData;
 
 namespace orthoslices
 {
-/// The samples of an image along one coordinate axis, in ascending order.
+/// The samples of an image along one axis of its frame, in ascending order.
 struct SampleAxis
 {
   std::vector<double> Coordinates; ///< with one sample of padding on both ends
@@ -26,7 +27,7 @@ struct SampleAxis
   Index Nearest(double coordinate) const;
 };
 
-/// An image seen along the coordinate axes, whatever its direction matrix.
+/// An image seen along the axes of its frame, whatever the order and direction of its indices.
 struct SampleGrid
 {
   SampleAxis Axes[3];
@@ -46,8 +47,8 @@ struct Region
   }
 };
 
-/// An image's samples along the coordinate axes; false if the image's axes are oblique.
-bool ReadSampleGrid(vtkImageData* image, SampleGrid& grid);
+/// An image's samples along the axes of its frame.
+SampleGrid ReadSampleGrid(vtkImageData* image, const ImageFrame& frame);
 
 /// Rounds all coordinates to the precision of the output.
 void RoundCoordinates(Precision precision, SampleGrid& grid);

@@ -6,6 +6,7 @@
 #include "Core/Cells/ChooseJoins.h"
 #include "Core/Correspondence/FindCorrespondences.h"
 #include "Core/Crossings/ReconcileSlices.h"
+#include "Core/Loops/LoopRegions.h"
 #include "Core/Patches/CentralPoints.h"
 #include "Core/Patches/InnerPatches.h"
 #include "Core/Slices/ImageBorder.h"
@@ -16,7 +17,7 @@ namespace orthoslices
 /// What happens to contours that cross themselves or another one of their slice.
 enum class CrossingContours
 {
-  Repair,  ///< kept; EmbedArcs takes their arcs apart where they cross
+  Repair,  ///< LoopRule says what they bound
   Refuse,  ///< no surface if there are any
   LeaveOut ///< removed
 };
@@ -45,7 +46,10 @@ struct Options
   InvalidContours Invalid = InvalidContours::Mend;
   BorderContours AtBorder = BorderContours::CloseAlong; ///< with InvalidContours::Mend
   CrossingContours Crossing = CrossingContours::Repair;
+  LoopRule Loops = LoopRule::Union; ///< with Repair
+  double RedrawnShare = 0.05;       ///< of the thickness of contours; see RemoveRedrawn
   bool SinglePrecision = false; ///< the result will be stored as float
+  double Quantum = 0.0;         ///< see SpatialGrid; 0: coordinates are not rounded on its account
   bool InsertMissing = true;    ///< contours that slices lack; see FindMissingContours
   AxisWeights Weights{ 1.0, 1.0, 1.0 };
   CentralPointMethod Central = CentralPointMethod::LeastSquares;

@@ -15,12 +15,14 @@ Pass::Pass(const Pass& first, Contours&& contours)
   : Pass(first.Settings, first.Execute, first.Observe)
 {
   this->Tables.Tolerance = first.Tables.Tolerance;
+  this->Tables.Border = first.Tables.Border;
   this->Tables.Contours = std::move(contours);
   this->Inserted = first.Inserted;
   Reconstruction& result = this->Result;
   result.Invalid = first.Result.Invalid;
   result.CrossingProblems = first.Result.CrossingProblems;
   result.Mended = first.Result.Mended;
+  result.OpenBorder = first.Result.OpenBorder;
   result.ContourCount = first.Result.ContourCount;
   result.Diagonal = first.Result.Diagonal;
   result.PolygonSizes = first.Result.PolygonSizes;
@@ -64,7 +66,8 @@ void Pass::Report(const std::vector<Repair>& repairs)
 
 void Pass::BuildGrid()
 {
-  this->Result.Grid =
-    BuildSpatialGrid(this->Tables.Contours, this->Tables.Tolerance, this->Settings.SinglePrecision);
+  this->Result.Grid = BuildSpatialGrid(this->Tables.Contours, this->Tables.Tolerance,
+    this->Settings.SinglePrecision, this->Settings.Quantum);
+  LimitBounds(this->Tables.Border, this->Result.Grid);
 }
 }

@@ -3,6 +3,9 @@
 #include "Core/ReadSlices.h"
 
 #include "Core/Base/EditContours.h"
+#include "Core/Loops/RedrawnContours.h"
+#include "Core/Loops/ResolveLoops.h"
+#include "Core/Loops/WeldBridges.h"
 #include "Core/Slices/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
 #include "Core/Sparse/MissingContours.h"
@@ -14,8 +17,8 @@ namespace orthoslices
 namespace
 {
 /// How far vertices of a single slice may be off their plane, as a share of the diagonal of all
-/// contours: rounding to three digits.
-constexpr double AloneTolerance = 1e-3;
+/// contours: that no other slice is meant is certain, and a contour that leaves its plane by more is bent.
+constexpr double AloneTolerance = 1e-2;
 
 /// Diagonal of the bounding box of all finite coordinates of the input, without virtual pieces.
 double FindDiagonal(const std::array<Pieces, 3>& pieces)
@@ -57,6 +60,14 @@ bool ReadContours(std::array<Pieces, 3>&& pieces, Pass& pass)
   PieceProblems problems = AssembleContours(std::move(pieces), settings, pass.Tables.Contours);
   pass.Result.Invalid = std::move(problems.Unusable);
   pass.Result.Mended = std::move(problems.Mended);
+  if (settings.AtBorder == BorderContours::LeaveOpen)
+  {
+    pass.Result.OpenBorder = problems.Border;
+  }
+  else
+  {
+    pass.Tables.Border = problems.Border;
+  }
   if (pass.Tables.Contours.Count() == 0)
   {
     // Nothing was mended, but all left out.
@@ -68,6 +79,24 @@ bool ReadContours(std::array<Pieces, 3>&& pieces, Pass& pass)
   return pass.GoOn(0.15);
 }
 
+/// Contours that are drawn twice count once, and those that cross bound what a rule says. Returns the
+/// number of the first contour that has its interior on the left already.
+Index SettleLoops(Pass& pass)
+{
+  const Options& options = pass.Settings;
+  Contours& contours = pass.Tables.Contours;
+  std::vector<Problem>& mended = pass.Result.Mended;
+  const bool asDrawn = options.Orient == Orientation::AsDrawn;
+  RemoveRedrawn(options.RedrawnShare, asDrawn || options.Loops == LoopRule::NonZero, pass.Execute,
+    contours, mended);
+  if (options.Crossing != CrossingContours::Repair)
+  {
+    return contours.Count();
+  }
+  WeldBridges(options.RedrawnShare, pass.Execute, contours);
+  return ResolveLoops(options.Loops, asDrawn, pass.Execute, contours, mended);
+}
+
 /// The spatial grid, and the interior on the left of each contour (sections 3 and 4).
 bool OrientSlices(Pass& pass)
 {
@@ -76,9 +105,11 @@ bool OrientSlices(Pass& pass)
   Contours& contours = pass.Tables.Contours;
   pass.BuildGrid();
   const Index assembled = contours.Count();
-  OrientContours(options.Orient, options.Crossing == CrossingContours::Repair, pass.Execute,
-    contours, result.CrossingProblems);
-  if (contours.Count() < assembled)
+  const Index firstSettled = SettleLoops(pass);
+  const bool isResolved = firstSettled < contours.Count();
+  OrientContours(options.Orient, options.Crossing != CrossingContours::Repair, firstSettled,
+    pass.Execute, contours, result.CrossingProblems);
+  if (contours.Count() < assembled || isResolved)
   {
     // A plane whose contours were all removed says nothing: it must not count as empty.
     pass.BuildGrid();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/ReconstructSorted.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace orthoslices
@@ -19,6 +21,25 @@ void MapTriples(std::vector<Number>& triples, Map&& map)
       triples[i + k] = static_cast<Number>(mapped[k]);
     }
   }
+}
+
+/// A power of 2 to whose multiples coordinates are rounded before they are mapped: 256 steps of double
+/// at the largest of them, far above the rounding of the map; of results in float, 16 steps of float.
+double ChooseQuantum(const std::array<Pieces, 3>& slices, bool singlePrecision)
+{
+  double largest = 0.0;
+  for (const Pieces& pieces : slices)
+  {
+    for (const std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
+    {
+      for (const double value : *values)
+      {
+        largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
+      }
+    }
+  }
+  const int bits = singlePrecision ? 20 : 44;
+  return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) + 1 - bits) : 0.0;
 }
 
 /// The surface with its normals.
@@ -98,7 +119,12 @@ void NameSources(const PolylineSources& from, Reconstruction& result)
 Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
   const Execution& execution, const StageObserver& observer)
 {
-  Reconstruction result = Reconstruct(std::move(sorted.Slices), options, execution, observer);
+  Options settings = options;
+  if (!sorted.Frame.IsWorld())
+  {
+    settings.Quantum = ChooseQuantum(sorted.Slices, options.SinglePrecision);
+  }
+  Reconstruction result = Reconstruct(std::move(sorted.Slices), settings, execution, observer);
   NameSources(sorted.From, result);
   result.Frame = sorted.Frame;
   if (!result.Frame.IsWorld())

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesReconstruction_h
 #define OrthoSlicesReconstruction_h
 
+#include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 #include "Core/Cells/UndecidedPlaces.h"
 #include "Core/Crossings/MeasureAgreement.h"
@@ -41,8 +42,11 @@ struct Reconstruction
   std::vector<Problem> Invalid;          ///< open, off their plane or not finite: left out
   std::vector<Problem> CrossingProblems; ///< contours that cross themselves or others
   std::vector<Problem> Mended;           ///< what was mended in the input, or left out for that
-  bool InsideOut = false;                ///< the contours as drawn bound the outside
-  bool Refused = false; ///< because of these, see Options; nothing else is set then
+  /// With BorderContours::LeaveOpen, the surface is to be cut off where it leaves this box: see
+  /// CutAtBorder. Beyond it contours are not those of the input.
+  Box3 OpenBorder = Everywhere();
+  bool InsideOut = false; ///< the contours as drawn bound the outside
+  bool Refused = false;   ///< because of these, see Options; nothing else is set then
   std::array<Index, 3> ContourCount{ 0, 0,
     0 };                ///< usable contours of each axis, without virtual ones
   bool Stopped = false; ///< Execution::Continue returned false

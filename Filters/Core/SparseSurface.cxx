@@ -30,7 +30,7 @@ private:
   bool Sketch(Pass& pass) const;
   bool FillFirst();
   bool BendStack();
-  bool Bend(const Reconstruction& base, std::vector<Point3>&& guides);
+  bool Bend(const Reconstruction& base, GuideCurves&& guides);
   bool Stop();
 
   const SliceDensity& Density;
@@ -76,8 +76,7 @@ bool SparseRunner::BendStack()
   {
     return this->Stop();
   }
-  return this->Bend(
-    stack.Result, SamplePoints(SelectAxis(this->Drawn, axis, false), this->Density.EdgeLength()));
+  return this->Bend(stack.Result, CutGuides(this->Drawn, this->First.Result.Grid, axis));
 }
 
 /// What a second surface has to come out as. Components that were too small are drawn nevertheless,
@@ -90,7 +89,7 @@ PriorKnowledge TopologyOf(const Reconstruction& base)
 
 /// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
 /// there are none, or if the topology comes out another than that of `base`.
-bool SparseRunner::Bend(const Reconstruction& base, std::vector<Point3>&& guides)
+bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
 {
   Reconstruction& first = this->First.Result;
   Execution execution = this->First.Execute;

@@ -42,7 +42,8 @@ const char* NameOf(Stage stage);
 /// Tables that one stage passes to the next ones and the result does not keep.
 struct StageTables
 {
-  double Tolerance = 0.0; ///< of planes, in world units
+  double Tolerance = 0.0;     ///< of planes, in world units
+  Box3 Border = Everywhere(); ///< of the image, where contours were closed along it
   orthoslices::Contours Contours;
   std::vector<IsolatedLoop> IsolatedParts; ///< of contours: runs without node points
   EdgeRegister Edges;

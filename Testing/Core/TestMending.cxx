@@ -173,6 +173,12 @@ TEST(Mending, ContoursThatEndAtTheBorderOfTheImage)
       CutOff(sets, axis, border, below);
       EXPECT_NEAR(VolumeOf(sets), ShareBelow(0.4) * whole, 0.02 * whole);
       EXPECT_GT(CountMended(sets, ProblemKind::ClosedAlongBorder), 10u);
+      const Reconstruction result = Reconstruct(PieceSets(sets), Options(), Execution());
+      for (const Point3& point : MeshOf(result).Points)
+      {
+        const double beyond = (below ? 1.0 : -1.0) * (point[axis] - border);
+        EXPECT_LE(beyond, 0.0201 * result.Grid.SpacingAtEnds[axis]);
+      }
       Options options;
       options.AtBorder = BorderContours::Refuse;
       const Reconstruction refused = Reconstruct(PieceSets(sets), options, Execution());

@@ -7,6 +7,7 @@
 #include "Support/CheckSurface.h"
 #include "Support/NearestTriangle.h"
 #include "Support/Random.h"
+#include "Support/RandomInput.h"
 #include "Support/ReconstructionMesh.h"
 #include "Support/SliceSolid.h"
 #include "Support/TurnedSlices.h"
@@ -83,6 +84,20 @@ void ExpectTurned(const PieceSets& sets, const Matrix3& rotation, double toleran
   EXPECT_NEAR(check.TotalVolume(), volume, tolerance * volume);
 }
 
+/// The axes, each coordinate changed by up to `share`.
+Matrix3 RandomInclination(double share, Random& random)
+{
+  Matrix3 inclined = UnitMatrix();
+  for (Point3& row : inclined)
+  {
+    for (double& x : row)
+    {
+      x += random.Uniform(-share, share);
+    }
+  }
+  return inclined;
+}
+
 PieceSets SlicesOf(const Solid& solid, const std::array<int, 3>& count)
 {
   return SliceSolid(solid, EqualPlanes(solid, count), 6, InPlaneGrid::Free);
@@ -150,14 +165,7 @@ TEST(ReconstructSorted, InclinedFamiliesGiveTheMappedSurface)
   {
     SCOPED_TRACE(seed);
     Random random(seed);
-    Matrix3 inclined = UnitMatrix();
-    for (Point3& row : inclined)
-    {
-      for (double& x : row)
-      {
-        x += random.Uniform(-0.2, 0.2);
-      }
-    }
+    const Matrix3 inclined = RandomInclination(0.2, random);
     const Reconstruction result = RunCore(MapSlices(sets, inclined));
     const TriangleMesh mesh = MeshOf(result);
     const SurfaceCheck check = CheckSurface(mesh);
@@ -217,8 +225,89 @@ TEST(ReconstructSorted, NamesPortsAndCells)
   Polylines open = lines;
   open.Closed[1] = 0;
   open.X[open.Offsets[1]] = std::nan("");
-  const Reconstruction refused = RunCore(open);
+  Options strict;
+  strict.Invalid = InvalidContours::Refuse;
+  const Reconstruction refused = RunCore(open, strict);
   ASSERT_FALSE(refused.Invalid.empty());
   EXPECT_EQ(refused.Invalid[0].Port, 2);
   EXPECT_EQ(refused.Invalid[0].Cell, 1);
+}
+
+namespace
+{
+/// A rotation, an exchange of axes, or a map that inclines them by up to some 20 degrees.
+Matrix3 RandomFrame(Random& random)
+{
+  switch (random.Below(3))
+  {
+    case 0:
+      return RandomRotation(random.Bits());
+    case 1:
+      return AxisOrder(static_cast<int>(random.Below(48)));
+    default:
+      return RandomInclination(0.2, random);
+  }
+}
+
+Input RandomInput(std::uint64_t seed)
+{
+  return seed % 3 == 0 ? RandomConsistentInput(seed)
+    : seed % 3 == 1    ? RandomContradictoryInput(seed)
+                       : RandomSparseInput(seed);
+}
+
+/// A coordinate as the input and the result have it.
+double RoundedTo(const Options& settings, double x)
+{
+  volatile float rounded = static_cast<float>(x);
+  return settings.SinglePrecision ? rounded : x;
+}
+
+/// Random slices in a random frame, through random ports, rounded or in loose segments or not.
+Polylines RandomLines(const Input& input, Random& random)
+{
+  std::array<int, 3> ports;
+  for (int& port : ports)
+  {
+    port = static_cast<int>(random.Below(4));
+  }
+  // Turned back, coordinates are no values of float: what is embedded then is so in double.
+  const Matrix3 frame = input.Settings.SinglePrecision
+    ? AxisOrder(static_cast<int>(random.Below(48)))
+    : RandomFrame(random);
+  const double step = random.Chance(0.3) ? 1e-4 : 0.0;
+  const Polylines lines = MapSlices(input.Sets, frame, ports, step);
+  return random.Chance(0.2) ? CutToSegments(lines, random.Bits()) : lines;
+}
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructSorted, AnySlicesInAnyFrameGiveAnEmbeddedSurface)
+{
+  for (std::uint64_t seed = FirstSeed(); seed < FirstSeed() + RandomRuns(30); ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    Input input = RandomInput(seed);
+    input.Settings.Invalid = InvalidContours::Mend;
+    input.Settings.SinglePrecision = random.Chance(0.3);
+    Polylines lines = RandomLines(input, random);
+    for (std::vector<double>* values : { &lines.X, &lines.Y, &lines.Z })
+    {
+      for (double& x : *values)
+      {
+        x = RoundedTo(input.Settings, x);
+      }
+    }
+    TriangleMesh mesh = MeshOf(RunCore(lines, input.Settings));
+    for (Point3& p : mesh.Points)
+    {
+      for (double& x : p)
+      {
+        x = RoundedTo(input.Settings, x);
+      }
+    }
+    const std::string flaws = DescribeFlaws(mesh);
+    EXPECT_TRUE(flaws.empty()) << flaws;
+  }
 }

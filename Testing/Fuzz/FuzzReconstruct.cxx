@@ -205,6 +205,9 @@ Options MakeOptions(const FuzzInput& input)
   options.SinglePrecision = input.Has('F');
   options.Orient = input.Has('D') ? Orientation::AsDrawn : Orientation::ByNesting;
   options.Crossing = input.Has('L') ? CrossingContours::LeaveOut : CrossingContours::Repair;
+  options.Loops = input.Has('E') ? LoopRule::EvenOdd
+    : input.Has('N')             ? LoopRule::NonZero
+                                 : LoopRule::Union;
   options.Virtual = input.Has('V') ? VirtualSlices::Automatic : VirtualSlices::Off;
   options.Central =
     input.Has('C') ? CentralPointMethod::Centroid : CentralPointMethod::LeastSquares;

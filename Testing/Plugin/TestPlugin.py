@@ -42,6 +42,8 @@ def check_defaults():
         "InvalidContours": "Mend",
         "BorderContours": "Close Along Border",
         "InsertMissingContours": 1,
+        "Frame": "Automatic",
+        "FrameNormals": [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
         "VirtualSlices": "Automatic",
         "VirtualSliceSpacing": 0.0,
         "PlaneTolerance": 1e-5,
@@ -164,6 +166,23 @@ def check_inputs_left_out():
     check(field_value(fetch(rec), "NumberOfContours") == 21, "an input cannot be taken out again")
 
 
+def check_one_input_for_all():
+    """Slices of all families in one group, also turned."""
+    slicer = simple.OrthogonalSlicer(Input=sphere(), NumberOfSlices=[9, 10, 11])
+    group = simple.GroupDatasets(Input=[simple.OutputPort(slicer, port) for port in range(3)])
+    turned = simple.Transform(Input=group)
+    turned.Transform.Rotate = [10.0, 20.0, 30.0]
+    for source in (group, turned):
+        rec = simple.OrthogonalSliceReconstruction(Contours=source)
+        for name in ("XSlices", "YSlices", "ZSlices"):
+            check(getattr(rec, name) is None, f"{name} is connected")
+        surface = fetch(rec)
+        check_closed(surface, components=1)
+        check(field_value(surface, "NumberOfContours") == 30, "not all contours of the group")
+        has_frame = surface.GetFieldData().HasArray("FamilyNormals") == 1
+        check(has_frame == (source is turned), f"normals of the families: {has_frame}")
+
+
 def check_parallel():
     """One family of slices, with the defaults and another criterion."""
     slicer = simple.OrthogonalSlicer(Input=sphere())
@@ -208,6 +227,7 @@ def main(plugin, data):
     check_properties_reach_the_filters()
     check_views()
     check_inputs_left_out()
+    check_one_input_for_all()
     check_parallel()
     check_image()
     check_heart(data)

@@ -121,6 +121,9 @@ Input RandomContradictoryInput(std::uint64_t seed)
   Random random(seed);
   input.Settings.Crossing =
     random.Chance(0.7) ? CrossingContours::Repair : CrossingContours::LeaveOut;
+  constexpr LoopRule rules[] = { LoopRule::Union, LoopRule::Union, LoopRule::EvenOdd,
+    LoopRule::NonZero };
+  input.Settings.Loops = rules[seed / (2 * changes) % 4];
   const NamedChange& change = Changes[seed % changes];
   change.Apply(input, random);
   input.Name = "RandomContradictoryInput(" + std::to_string(seed) + "), " + change.Name;

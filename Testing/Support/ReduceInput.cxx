@@ -197,6 +197,9 @@ std::string Describe(const PieceSets& sets, const Options& options)
        << (options.Crossing == CrossingContours::Repair      ? ", repair"
               : options.Crossing == CrossingContours::Refuse ? ", refuse"
                                                              : ", leave out")
+       << (options.Loops == LoopRule::Union        ? ""
+              : options.Loops == LoopRule::EvenOdd ? ", even-odd"
+                                                   : ", non-zero")
        << (options.Central == CentralPointMethod::Centroid ? ", centroid" : ", least squares")
        << (options.Virtual == VirtualSlices::Off ? "" : ", virtual slices")
        << (options.Invalid == InvalidContours::Refuse        ? ", refuse invalid"

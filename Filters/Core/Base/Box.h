@@ -13,6 +13,7 @@ namespace orthoslices
 /// The least box along the axes around points; at first it is empty.
 struct Box3
 {
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
   Point3 Low{ Infinity, Infinity, Infinity };
   Point3 High{ -Infinity, -Infinity, -Infinity };
 
@@ -51,10 +52,14 @@ struct Box3
     const Point3 d = this->High - this->Low;
     return std::hypot(d[0], d[1], d[2]);
   }
-
-private:
-  static constexpr double Infinity = std::numeric_limits<double>::infinity();
 };
+
+/// The box that everything lies in.
+inline Box3 Everywhere()
+{
+  constexpr double infinity = Box3::Infinity;
+  return { { -infinity, -infinity, -infinity }, { infinity, infinity, infinity } };
+}
 }
 
 #endif

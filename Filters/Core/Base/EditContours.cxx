@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Base/EditContours.h"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace orthoslices
@@ -51,6 +53,39 @@ void AppendContours(const Contours& added, Contours& contours)
   {
     contours.Virtual.resize(contours.Axis.size(), 0);
   }
+}
+
+std::vector<std::vector<Index>> GroupBySlice(const Contours& contours)
+{
+  std::vector<Index> order(contours.Count());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](Index i) { return std::make_pair(contours.Axis[i], contours.Plane[i]); };
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
+  std::vector<std::vector<Index>> slices;
+  for (const Index i : order)
+  {
+    if (slices.empty() || key(slices.back().front()) != key(i))
+    {
+      slices.emplace_back();
+    }
+    slices.back().push_back(i);
+  }
+  return slices;
+}
+
+double TwiceSignedArea(const Contours& contours, Index contour)
+{
+  const Index begin = contours.Offsets[contour];
+  const Index end = contours.Offsets[contour + 1];
+  const double u0 = contours.U[begin];
+  const double v0 = contours.V[begin];
+  double area = 0.0;
+  for (Index i = begin + 1; i + 1 < end; ++i)
+  {
+    area += (contours.U[i] - u0) * (contours.V[i + 1] - v0) -
+      (contours.U[i + 1] - u0) * (contours.V[i] - v0);
+  }
+  return area;
 }
 
 Box3 BoxOf(const Contours& contours, bool withVirtual)

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-/// What is done with whole contours, by all stages that read or change them.
+/// What is asked and done of whole contours, by all stages that read or change them.
 namespace orthoslices
 {
 /// Takes out the contours that are marked; `marked` has an entry for each.
@@ -16,6 +16,12 @@ void RemoveMarked(const std::vector<std::uint8_t>& marked, Contours& contours);
 
 /// Appends contours. They are real where `contours` has some that are virtual.
 void AppendContours(const Contours& added, Contours& contours);
+
+/// The contours of each slice, in their order; slices by axis and plane.
+std::vector<std::vector<Index>> GroupBySlice(const Contours& contours);
+
+/// Twice the signed area of a contour: positive when it runs counter-clockwise seen from its axis.
+double TwiceSignedArea(const Contours& contours, Index contour);
 
 /// The box around all contours, or around the real ones alone.
 Box3 BoxOf(const Contours& contours, bool withVirtual = true);

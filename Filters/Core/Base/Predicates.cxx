@@ -48,6 +48,13 @@ int ExactSideOf(const Point2& p, const Point2& q, const Point2& r)
   return largest > 0.0 ? 1 : largest < 0.0 ? -1 : 0;
 }
 
+bool AreOnOneRay(const Point2& p, const Point2& q, const Point2& r)
+{
+  return SideOf(p, q, r) == 0 &&
+    ((q[0] > p[0] && r[0] > p[0]) || (q[0] < p[0] && r[0] < p[0]) || (q[1] > p[1] && r[1] > p[1]) ||
+      (q[1] < p[1] && r[1] < p[1]));
+}
+
 int CertainSide(const Point3& a, const Point3& b, const Point3& c, const Point3& d)
 {
   Point3 ad, bd, cd;

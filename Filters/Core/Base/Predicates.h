@@ -34,6 +34,18 @@ inline int SideOf(const Point2& p, const Point2& q, const Point2& r)
   return det > bound ? 1 : det < -bound ? -1 : ExactSideOf(p, q, r);
 }
 
+/// Whether q and r lie on one ray from p, and neither in p. Exact.
+bool AreOnOneRay(const Point2& p, const Point2& q, const Point2& r);
+
+/// Whether r lies on the left of the path from a over b to c, near b. Exact. REQUIRES: neither a and c
+/// nor r and one of them lie on one ray from b.
+inline bool IsLeftOfPath(const Point2& a, const Point2& b, const Point2& c, const Point2& r)
+{
+  const bool first = SideOf(a, b, r) > 0;
+  const bool second = SideOf(b, c, r) > 0;
+  return SideOf(a, b, c) > 0 ? first && second : first || second;
+}
+
 /// Area of a polygon, positive if it runs counter-clockwise. Rounded.
 double SignedArea(const std::vector<Point2>& polygon);
 

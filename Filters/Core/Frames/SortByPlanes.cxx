@@ -190,14 +190,25 @@ private:
 /// Appends a polyline to the slices of an axis.
 void AddPiece(const Polylines& lines, Index line, const AxisFrame& frame, Pieces& pieces)
 {
-  const int u = FirstAxis(pieces.Axis), v = SecondAxis(pieces.Axis);
-  for (Index i = lines.Offsets[line]; i < lines.Offsets[line + 1]; ++i)
+  const int u = FirstAxis(pieces.Axis), v = SecondAxis(pieces.Axis), w = pieces.Axis;
+  const Index first = lines.Offsets[line], last = lines.Offsets[line + 1];
+  if (frame.IsWorld())
   {
-    const Point3 world = lines.PointAt(i);
-    const Point3 p = frame.IsWorld() ? world : frame.ToAxes(world);
+    const auto append = [&](int axis, std::vector<double>& values)
+    {
+      const double* from = lines.Along(axis).data();
+      values.insert(values.end(), from + first, from + last);
+    };
+    append(u, pieces.U);
+    append(v, pieces.V);
+    append(w, pieces.W);
+  }
+  for (Index i = first; i < last && !frame.IsWorld(); ++i)
+  {
+    const Point3 p = frame.ToAxes(lines.PointAt(i));
     pieces.U.push_back(p[u]);
     pieces.V.push_back(p[v]);
-    pieces.W.push_back(p[pieces.Axis]);
+    pieces.W.push_back(p[w]);
   }
   pieces.Offsets.push_back(static_cast<Index>(pieces.U.size()));
   pieces.Cell.push_back(line);
@@ -283,22 +294,6 @@ SortedSlices SortByPlanes(const Polylines& lines, const FrameOptions& options)
     }
   }
   return sorted;
-}
-
-void RoundToFloat(std::array<Pieces, 3>& slices)
-{
-  for (Pieces& pieces : slices)
-  {
-    for (std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
-    {
-      for (double& value : *values)
-      {
-        // Volatile, because GCC 12 at -O3 vectorizes the conversion to float and back away.
-        volatile float rounded = static_cast<float>(value);
-        value = rounded;
-      }
-    }
-  }
 }
 
 bool MakeGivenFrame(const std::array<Point3, 3>& normals, AxisFrame& frame)

@@ -53,9 +53,6 @@ struct SortedSlices
  */
 SortedSlices SortByPlanes(const Polylines& lines, const FrameOptions& options);
 
-/// Rounds all coordinates to float, for results that are stored as such.
-void RoundToFloat(std::array<Pieces, 3>& slices);
-
 /// The axes for given normals of three families, of any length; the third one is reversed if they are
 /// left-handed. False if they are nearly in one plane.
 bool MakeGivenFrame(const std::array<Point3, 3>& normals, AxisFrame& frame);

@@ -12,23 +12,6 @@ namespace orthoslices
 namespace
 {
 constexpr Index None = -1;
-
-/// Whether q and r lie on one ray from p.
-bool OnOneRay(const Point2& p, const Point2& q, const Point2& r)
-{
-  return SideOf(p, q, r) == 0 &&
-    ((q[0] > p[0] && r[0] > p[0]) || (q[0] < p[0] && r[0] < p[0]) || (q[1] > p[1] && r[1] > p[1]) ||
-      (q[1] < p[1] && r[1] < p[1]));
-}
-
-/// Whether r lies on the left of the path from a over b to c, near b.
-bool IsLeftOfPath(const Point2& a, const Point2& b, const Point2& c, const Point2& r)
-{
-  const bool first = SideOf(a, b, r) > 0;
-  const bool second = SideOf(b, c, r) > 0;
-  return SideOf(a, b, c) > 0 ? first && second : first || second;
-}
-
 }
 
 OverlayGraph::OverlayGraph(
@@ -208,7 +191,7 @@ bool OverlayGraph::AreApart(const std::array<Index, 2>& s, const std::array<Inde
       if (s[i] == t[j])
       {
         return s[1 - i] != t[1 - j] &&
-          !OnOneRay(this->Places[s[i]], this->Places[s[1 - i]], this->Places[t[1 - j]]);
+          !AreOnOneRay(this->Places[s[i]], this->Places[s[1 - i]], this->Places[t[1 - j]]);
       }
     }
   }
@@ -256,7 +239,7 @@ bool OverlayGraph::IsSimple() const
       const Index b = this->Parts.Numbers[j];
       const Index c = this->Parts.Numbers[this->Parts.After(chain, j)];
       simple = simple && this->Places[a] != this->Places[b] &&
-        !OnOneRay(this->Places[b], this->Places[a], this->Places[c]);
+        !AreOnOneRay(this->Places[b], this->Places[a], this->Places[c]);
       if (this->IsCrossing(b))
       {
         before[2 * (b - this->Vertices) + level] = a;

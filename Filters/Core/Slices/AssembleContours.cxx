@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Slices/AssembleContours.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/Slices/AddLoop.h"
 #include "Core/Slices/AssembleSet.h"
 #include "Core/Slices/MendCurves.h"
@@ -31,6 +32,45 @@ std::array<ImageBorder, 3> FindReach(const Contours& contours, const std::vector
     }
   }
   return borders;
+}
+
+Box3 BoxOf(const Contours& contours, const std::vector<OpenCurve>& curves)
+{
+  Box3 box = orthoslices::BoxOf(contours);
+  for (const OpenCurve& curve : curves)
+  {
+    box.Add(curve.Axis, curve.Plane);
+    for (const Point2& point : curve.Points)
+    {
+      box.Add(FirstAxis(curve.Axis), point[0]);
+      box.Add(SecondAxis(curve.Axis), point[1]);
+    }
+  }
+  return box;
+}
+
+/// The sides along which contours were closed, of all axes, beyond which there is nothing.
+Box3 FindSides(
+  const std::array<ImageBorder, 3>& borders, const std::vector<OpenCurve>& loops, const Box3& reach)
+{
+  Box3 sides = Everywhere();
+  for (const OpenCurve& loop : loops)
+  {
+    for (int direction = 0; loop.IsAtBorder && direction < 2; ++direction)
+    {
+      const int axis = direction == 0 ? FirstAxis(loop.Axis) : SecondAxis(loop.Axis);
+      const ImageBorder& border = borders[loop.Axis];
+      if (border.IsFound[direction][0] && border.Side[direction][0] <= reach.Low[axis])
+      {
+        sides.Low[axis] = border.Side[direction][0];
+      }
+      if (border.IsFound[direction][1] && border.Side[direction][1] >= reach.High[axis])
+      {
+        sides.High[axis] = border.Side[direction][1];
+      }
+    }
+  }
+  return sides;
 }
 
 /// Appends the loops that were made of open curves.
@@ -79,11 +119,13 @@ PieceProblems AssembleContours(
   if (!curves.empty())
   {
     std::array<ImageBorder, 3> borders = FindReach(contours, curves);
+    const Box3 reach = BoxOf(contours, curves);
     const MendedCurves mended =
       MendCurves(std::move(curves), settings.Tolerance, settings.AtBorder, borders);
     problems.Mended.insert(problems.Mended.end(), mended.Problems.begin(), mended.Problems.end());
     problems.Unusable.insert(problems.Unusable.end(), mended.Refused.begin(), mended.Refused.end());
     AppendLoops(mended.Loops, settings.Tolerance, contours, problems);
+    problems.Border = FindSides(borders, mended.Loops, reach);
   }
   return problems;
 }

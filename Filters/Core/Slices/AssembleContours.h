@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesAssembleContours_h
 #define OrthoSlicesAssembleContours_h
 
+#include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 #include "Core/Slices/ImageBorder.h"
 
@@ -25,6 +26,9 @@ struct PieceProblems
 {
   std::vector<Problem> Unusable; ///< their contours are not there
   std::vector<Problem> Mended;   ///< with Mend: mended, or left out
+  /// Contours were closed along the sides of this box, or continued beyond them, and no contour of the
+  /// input lies beyond.
+  Box3 Border = Everywhere();
 };
 
 /**

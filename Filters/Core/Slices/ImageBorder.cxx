@@ -9,17 +9,6 @@ namespace orthoslices
 {
 namespace
 {
-/// Ends at one side agree to this share of the extent of the contours: what rounding to three digits
-/// leaves.
-constexpr double AgreementShare = 1e-3;
-/// So many ends make a side: those of a single contour.
-constexpr int FewestEnds = 2;
-
-/// The direction (0 is u, 1 is v) across a side and which of the two it is, by its number round the
-/// rectangle: below, right, above, left.
-int DirectionOf(int side) { return side % 2 == 0 ? 1 : 0; }
-int WhichOf(int side) { return side == 1 || side == 2 ? 1 : 0; }
-
 /// Whether a curve does not lie along a side of the border.
 bool LeavesSide(const OpenCurve& curve, int direction, double side, double tolerance)
 {
@@ -62,10 +51,16 @@ public:
   double LengthAstray(double from, double to) const;
 
 private:
+  /// Where the way turns; it leads round beyond the sides that were found.
   Point2 Corner(int number) const
   {
     const int i = number % 4;
-    return { this->Border.Side[0][i == 1 || i == 2 ? 1 : 0], this->Border.Side[1][i >= 2 ? 1 : 0] };
+    return { this->SideBeyond(0, i == 1 || i == 2 ? 1 : 0), this->SideBeyond(1, i >= 2 ? 1 : 0) };
+  }
+  double SideBeyond(int direction, int which) const
+  {
+    const double beyond = this->Border.IsFound[direction][which] ? this->Border.Beyond : 0.0;
+    return this->Border.Side[direction][which] + (which == 1 ? beyond : -beyond);
   }
 
   const ImageBorder& Border;
@@ -81,7 +76,7 @@ BorderEnd BorderWay::Place(const OpenCurve& curve, std::size_t number, int which
   Point2 foot = curve.End(which);
   foot[1 - along] = corner[1 - along];
   foot[along] =
-    std::min(this->Border.Side[along][1], std::max(this->Border.Side[along][0], foot[along]));
+    std::min(this->SideBeyond(along, 1), std::max(this->SideBeyond(along, 0), foot[along]));
   return { number, which, this->Start[side] + std::abs(foot[along] - corner[along]), foot };
 }
 
@@ -264,50 +259,6 @@ bool ImageBorder::EndsAtBorder(const OpenCurve& curve) const
     (first != last ||
       LeavesSide(curve, DirectionOf(first), this->Side[DirectionOf(first)][WhichOf(first)],
         this->Tolerance));
-}
-
-namespace
-{
-/// The loose ends of curves, of whatever axes, that lie on a plane of constant coordinate.
-int CountEnds(const std::vector<OpenCurve>& curves, int across, double coordinate, double tolerance)
-{
-  int ends = 0;
-  for (const OpenCurve& curve : curves)
-  {
-    const int direction = across == FirstAxis(curve.Axis) ? 0 : 1;
-    if (curve.Axis == across || curve.Points.size() < 3 ||
-      !LeavesSide(curve, direction, coordinate, tolerance))
-    {
-      continue;
-    }
-    for (const int end : { 0, 1 })
-    {
-      ends += std::abs(curve.End(end)[direction] - coordinate) <= tolerance ? 1 : 0;
-    }
-  }
-  return ends;
-}
-}
-
-void FindBorders(const std::vector<OpenCurve>& curves, std::array<ImageBorder, 3>& borders)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    ImageBorder& border = borders[axis];
-    const double extent =
-      std::max(border.Side[0][1] - border.Side[0][0], border.Side[1][1] - border.Side[1][0]);
-    border.Tolerance = std::max(0.0, AgreementShare * extent);
-    for (const int direction : { 0, 1 })
-    {
-      for (const int which : { 0, 1 })
-      {
-        const int across = direction == 0 ? FirstAxis(axis) : SecondAxis(axis);
-        const double side = border.Side[direction][which];
-        border.IsFound[direction][which] =
-          CountEnds(curves, across, side, border.Tolerance) >= FewestEnds;
-      }
-    }
-  }
 }
 
 std::vector<BorderLoop> CloseAlongBorder(

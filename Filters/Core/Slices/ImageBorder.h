@@ -11,9 +11,14 @@ namespace orthoslices
 enum class BorderContours
 {
   CloseAlong, ///< they are closed along the border
-  LeaveOpen,  ///< the surface ends at the border
+  LeaveOpen,  ///< they are continued beyond the border, where the surface is to be cut off
   Refuse      ///< they are unusable
 };
+
+/// The direction (0 is u, 1 is v) across a side and which of the two it is, by its number round the
+/// rectangle: below, right, above, left.
+inline int DirectionOf(int side) { return side % 2 == 0 ? 1 : 0; }
+inline int WhichOf(int side) { return side == 1 || side == 2 ? 1 : 0; }
 
 /**
  * The border of the image, of which the slices of one axis show a rectangle. Its sides are u = const
@@ -25,6 +30,9 @@ struct ImageBorder
   std::array<std::array<double, 2>, 2> Side{ { { HUGE_VAL, -HUGE_VAL }, { HUGE_VAL, -HUGE_VAL } } };
   std::array<std::array<bool, 2>, 2> IsFound{ { { false, false }, { false, false } } };
   double Tolerance = 0.0; ///< ends that are at most so far from a side lie on it
+  /// So far beyond the sides that were found, at right angles to them, curves go on before they are
+  /// closed.
+  double Beyond = 0.0;
 
   void Add(const Point2& point);
   /// The side nearest to an end, at most `distance` away, counted from below round the rectangle
@@ -34,15 +42,6 @@ struct ImageBorder
   /// Whether both ends of a curve lie at the border: at most as far from it as its points are apart.
   bool EndsAtBorder(const OpenCurve& curve) const;
 };
-
-/**
- * Finds the sides of the border: where the contours of an axis reach farthest along u or v, and two or
- * more loose ends lie. Those of the other axis that sees the same side count, too, so that many ends
- * that are each alone on their slice show it.
- *
- * `borders` has, for each axis, what all contours of that axis reach; the curves are those of all axes.
- */
-void FindBorders(const std::vector<OpenCurve>& curves, std::array<ImageBorder, 3>& borders);
 
 /// A loop made of curves and of the parts of the border between their ends.
 struct BorderLoop

@@ -232,7 +232,7 @@ void PieceJoiner::FollowFrom(Index piece, PieceChains& chains)
   {
     end = this->Partner[end] ^ 1;
   }
-  const bool open = this->Partner[end] == None;
+  bool open = this->Partner[end] == None;
   // From the loose end just found, or from the piece itself, the other way round through all
   // pieces.
   const End start = open ? end : 2 * piece;
@@ -240,6 +240,13 @@ void PieceJoiner::FollowFrom(Index piece, PieceChains& chains)
   {
     this->IsFree[at / 2] = 0;
     chains.Links.push_back({ at / 2, (at & 1) == 0 });
+  }
+  if (this->IsFree[piece])
+  {
+    // It was joined to a piece that has turned out to be a duplicate: it is left alone.
+    this->IsFree[piece] = 0;
+    chains.Links.push_back({ piece, true });
+    open = true;
   }
   chains.Closed.push_back(open ? 0 : 1);
   chains.Offsets.push_back(static_cast<Index>(chains.Links.size()));

@@ -3,6 +3,7 @@
 #include "Core/Slices/MendCurves.h"
 
 #include "Core/Slices/CloseGaps.h"
+#include "Core/Slices/FindBorders.h"
 
 #include <algorithm>
 
@@ -17,6 +18,27 @@ Point3 WorldOf(const OpenCurve& curve, const Point2& point)
   world[FirstAxis(curve.Axis)] = point[0];
   world[SecondAxis(curve.Axis)] = point[1];
   return world;
+}
+
+/// The greatest mean distance of the slices that have open curves, of any axis; with one slice each, a
+/// tenth of what the contours reach. REQUIRES: sorted curves.
+double FindSpacing(const std::vector<OpenCurve>& curves, const std::array<ImageBorder, 3>& borders)
+{
+  double spacing = 0.0, extent = 0.0;
+  for (std::size_t begin = 0; begin < curves.size();)
+  {
+    const int axis = curves[begin].Axis;
+    std::size_t end = begin, planes = 0;
+    for (; end < curves.size() && curves[end].Axis == axis; ++end)
+    {
+      planes += end == begin || curves[end].Plane != curves[end - 1].Plane ? 1 : 0;
+    }
+    const double length = curves[end - 1].Plane - curves[begin].Plane;
+    spacing = std::max(spacing, planes > 1 ? length / (planes - 1.0) : 0.0);
+    extent = std::max(extent, borders[axis].Side[0][1] - borders[axis].Side[0][0]);
+    begin = end;
+  }
+  return spacing > 0.0 ? spacing : 0.1 * extent;
 }
 
 /// Mends the curves of one slice.
@@ -110,7 +132,10 @@ void SliceMender::CloseAtBorder()
   }
   for (BorderLoop& loop : CloseAlongBorder(this->Border, ending))
   {
-    this->Report(ProblemKind::ClosedAlongBorder, loop.Curve, loop.Curve.End(0), loop.AlongBorder);
+    const bool isOpen = this->AtBorder == BorderContours::LeaveOpen;
+    this->Report(isOpen ? ProblemKind::LeftOpen : ProblemKind::ClosedAlongBorder, loop.Curve,
+      loop.Curve.End(0), loop.AlongBorder);
+    loop.Curve.IsAtBorder = true;
     this->Result.Loops.push_back(std::move(loop.Curve));
   }
 }
@@ -143,6 +168,11 @@ MendedCurves MendCurves(std::vector<OpenCurve>&& curves, double tolerance, Borde
     [](const OpenCurve& a, const OpenCurve& b)
     { return std::make_pair(a.Axis, a.Plane) < std::make_pair(b.Axis, b.Plane); });
   FindBorders(curves, borders);
+  const double beyond = atBorder == BorderContours::LeaveOpen ? FindSpacing(curves, borders) : 0.0;
+  for (ImageBorder& border : borders)
+  {
+    border.Beyond = beyond;
+  }
   for (auto begin = curves.begin(); begin != curves.end();)
   {
     const auto isElsewhere = [&](const OpenCurve& curve)

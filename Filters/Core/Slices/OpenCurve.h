@@ -21,6 +21,7 @@ struct OpenCurve
   Point2 GapAt{ 0.0, 0.0 }; ///< one of its ends
   double Trimmed = 0.0;     ///< length of what ran past a start; its ends meet if it is a loop
   bool IsLoop = false;
+  bool IsAtBorder = false; ///< closed along the border of the image
 
   /// The first point, or the last.
   const Point2& End(int which) const { return which ? this->Points.back() : this->Points.front(); }

@@ -15,41 +15,18 @@ namespace
 {
 using Slice = std::vector<Index>; ///< contours on one plane
 
-std::vector<Slice> GroupBySlice(const Contours& contours)
-{
-  std::vector<Index> order(contours.Count());
-  for (Index i = 0; i < contours.Count(); ++i)
-  {
-    order[i] = i;
-  }
-  const auto key = [&](Index i) { return std::make_pair(contours.Axis[i], contours.Plane[i]); };
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return key(a) < key(b); });
-  std::vector<Slice> slices;
-  for (const Index i : order)
-  {
-    if (slices.empty() || key(slices.back().front()) != key(i))
-    {
-      slices.emplace_back();
-    }
-    slices.back().push_back(i);
-  }
-  return slices;
-}
-
 class SliceOrienter
 {
 public:
-  SliceOrienter(Contours& contours, std::vector<std::uint8_t>& removed, bool keepCrossing,
-    std::vector<Problem>& problems)
+  SliceOrienter(
+    Contours& contours, std::vector<std::uint8_t>& removed, std::vector<Problem>& problems)
     : Set(contours)
     , Removed(removed)
-    , KeepCrossing(keepCrossing)
     , Problems(problems)
   {
   }
 
   void RemoveVirtual(const Slice& slice);
-  void RemoveCopies(const Slice& slice);
   void FindCrossing(const Slice& slice);
   void OrientByNesting(const Slice& slice);
 
@@ -61,11 +38,9 @@ private:
 
   Slice Members(const Slice& slice) const;
   Index ExtremeVertex(Index contour) const;
-  bool IsCopy(Index a, Index b) const;
 
   Contours& Set;
   std::vector<std::uint8_t>& Removed;
-  bool KeepCrossing;
   std::vector<Problem>& Problems;
   std::vector<Index> Reported;
 };
@@ -92,60 +67,12 @@ Index SliceOrienter::ExtremeVertex(Index contour) const
   return extreme;
 }
 
-/// Whether two contours pass the same vertices, from whatever start and in whichever direction.
-bool SliceOrienter::IsCopy(Index a, Index b) const
-{
-  const Index size = this->Set.Size(a);
-  if (size != this->Set.Size(b))
-  {
-    return false;
-  }
-  const Index beginA = this->Set.Offsets[a];
-  const Index beginB = this->Set.Offsets[b];
-  const Index startA = this->ExtremeVertex(a) - beginA;
-  const Index startB = this->ExtremeVertex(b) - beginB;
-  const auto same = [&](Index i, Index step)
-  {
-    const Index p = beginA + (startA + i) % size;
-    const Index q = beginB + (startB + (step > 0 ? i : size - i)) % size;
-    return this->Set.U[p] == this->Set.U[q] && this->Set.V[p] == this->Set.V[q];
-  };
-  bool forward = true, backward = true;
-  for (Index i = 0; i < size && (forward || backward); ++i)
-  {
-    forward = forward && same(i, 1);
-    backward = backward && same(i, -1);
-  }
-  return forward || backward;
-}
-
 /// Contours of a virtual plane that has become one with a real one are not those of the slice.
 void SliceOrienter::RemoveVirtual(const Slice& slice)
 {
   for (const Index contour : slice)
   {
     this->Removed[contour] = this->Set.IsVirtual(contour) ? 1 : 0;
-  }
-}
-
-void SliceOrienter::RemoveCopies(const Slice& slice)
-{
-  Slice order = slice;
-  std::sort(order.begin(), order.end(),
-    [this](Index a, Index b) {
-      return this->Set.Size(a) != this->Set.Size(b) ? this->Set.Size(a) < this->Set.Size(b) : a < b;
-    });
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const auto sameSize = [&](std::size_t j)
-    { return j < order.size() && this->Set.Size(order[j]) == this->Set.Size(order[i]); };
-    for (std::size_t j = i + 1; !this->Removed[order[i]] && sameSize(j); ++j)
-    {
-      if (!this->Removed[order[j]] && this->IsCopy(order[i], order[j]))
-      {
-        this->Removed[order[j]] = 1;
-      }
-    }
   }
 }
 
@@ -168,9 +95,9 @@ bool SliceOrienter::DoCross(SegmentTree::Segment a, SegmentTree::Segment b) cons
 void SliceOrienter::Mark(Index contour, ProblemKind kind, Index vertex)
 {
   this->Reported.push_back(contour);
-  this->Removed[contour] = this->KeepCrossing ? 0 : 1;
+  this->Removed[contour] = 1;
   this->Problems.push_back({ kind, this->Set.Axis[contour], this->Set.Cell[contour],
-    this->Set.World(contour, vertex), 0.0, !this->KeepCrossing });
+    this->Set.World(contour, vertex), 0.0, true });
 }
 
 void SliceOrienter::VisitPair(SegmentTree::Segment a, SegmentTree::Segment b)
@@ -227,21 +154,6 @@ void SliceOrienter::OrientByNesting(const Slice& slice)
 }
 }
 
-double TwiceSignedArea(const Contours& contours, Index contour)
-{
-  const Index begin = contours.Offsets[contour];
-  const Index end = contours.Offsets[contour + 1];
-  const double u0 = contours.U[begin];
-  const double v0 = contours.V[begin];
-  double area = 0.0;
-  for (Index i = begin + 1; i + 1 < end; ++i)
-  {
-    area += (contours.U[i] - u0) * (contours.V[i + 1] - v0) -
-      (contours.U[i + 1] - u0) * (contours.V[i] - v0);
-  }
-  return area;
-}
-
 bool BoundOutside(const Contours& contours)
 {
   double area = 0.0;
@@ -252,8 +164,8 @@ bool BoundOutside(const Contours& contours)
   return area < 0.0;
 }
 
-void OrientContours(Orientation orientation, bool keepCrossing, const Execution& execution,
-  Contours& contours, std::vector<Problem>& crossing)
+void OrientContours(Orientation orientation, bool removeCrossing, Index firstSettled,
+  const Execution& execution, Contours& contours, std::vector<Problem>& crossing)
 {
   const std::vector<Slice> slices = GroupBySlice(contours);
   std::vector<std::uint8_t> removed(contours.Count(), 0);
@@ -264,14 +176,17 @@ void OrientContours(Orientation orientation, bool keepCrossing, const Execution&
       for (std::size_t i = begin; i < end; ++i)
       {
         const auto isVirtual = [&](Index contour) { return contours.IsVirtual(contour); };
-        if (std::all_of(slices[i].begin(), slices[i].end(), isVirtual))
+        const bool isSettled = slices[i].front() >= firstSettled;
+        if (isSettled || std::all_of(slices[i].begin(), slices[i].end(), isVirtual))
         {
           continue;
         }
-        SliceOrienter orienter(contours, removed, keepCrossing, found[i]);
+        SliceOrienter orienter(contours, removed, found[i]);
         orienter.RemoveVirtual(slices[i]);
-        orienter.RemoveCopies(slices[i]);
-        orienter.FindCrossing(slices[i]);
+        if (removeCrossing)
+        {
+          orienter.FindCrossing(slices[i]);
+        }
         if (orientation == Orientation::ByNesting)
         {
           orienter.OrientByNesting(slices[i]);

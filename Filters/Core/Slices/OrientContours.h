@@ -20,19 +20,16 @@ enum class Orientation
 /**
  * Checks and orients the contours of every slice (section 3 of the paper: interior on the left).
  *
- * Copies of a contour are removed. Contours that cross themselves, or another one of their slice
- * (of two that cross, the one with the smaller area), are reported, and removed unless
- * `keepCrossing` is set: the later stages repair them. Contours may touch. With ByNesting,
- * contours are reversed where needed.
+ * With `removeCrossing`, contours that cross themselves, or another one of their slice (of two that
+ * cross, the one with the smaller area), are reported and removed. Contours may touch. With ByNesting,
+ * contours are reversed where needed. Contours from `firstSettled` on stay as they are; see
+ * ResolveLoops.
  */
-void OrientContours(Orientation orientation, bool keepCrossing, const Execution& execution,
-  Contours& contours, std::vector<Problem>& crossing);
+void OrientContours(Orientation orientation, bool removeCrossing, Index firstSettled,
+  const Execution& execution, Contours& contours, std::vector<Problem>& crossing);
 
 /// Whether all contours together run clockwise: what they bound is the outside.
 bool BoundOutside(const Contours& contours);
-
-/// Twice the signed area of a contour: positive when it runs counter-clockwise seen from its axis.
-double TwiceSignedArea(const Contours& contours, Index contour);
 }
 
 #endif

@@ -19,6 +19,10 @@ constexpr double MinDistanceOfPlanes = 256.0;
 
 /// Room that patches have beyond virtual contours, in SpacingAtEnds: far more than the Margin.
 constexpr double RoomBeyondVirtual = 0.01;
+
+/// Room that patches get beyond the border of the image, as a share of the distance of slices at the
+/// ends: as much as MakeVirtualSlices keeps from the bounds, so that virtual contours lie on the border.
+constexpr double RoomBeyondBorder = 0.02;
 }
 
 double SpatialGrid::Margin(int axis, Index slab) const
@@ -160,7 +164,8 @@ void FindExtent(const Box3& box, SpatialGrid& grid)
   double longest = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    grid.Step[axis] = epsilon * std::max(std::abs(box.Low[axis]), std::abs(box.High[axis]));
+    grid.Step[axis] =
+      std::max(grid.Quantum, epsilon * std::max(std::abs(box.Low[axis]), std::abs(box.High[axis])));
     grid.Extent[axis] = box.High[axis] - box.Low[axis];
     longest = std::max(longest, grid.Extent[axis]);
   }
@@ -170,11 +175,53 @@ void FindExtent(const Box3& box, SpatialGrid& grid)
   }
 }
 
+/// Makes vertices values of the grid's precision. Vertices that become the same are one, but for
+/// contours of which fewer than three would be left.
+void RoundVertices(const SpatialGrid& grid, Contours& contours)
+{
+  std::vector<double> u, v;
+  std::vector<Index> offsets{ 0 };
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    const std::size_t first = u.size();
+    const Index begin = contours.Offsets[contour], end = contours.Offsets[contour + 1];
+    for (Index i = begin; i < end; ++i)
+    {
+      const double x = grid.Round(contours.U[i]), y = grid.Round(contours.V[i]);
+      if (u.size() == first || x != u.back() || y != v.back())
+      {
+        u.push_back(x);
+        v.push_back(y);
+      }
+    }
+    while (u.size() > first + 1 && u.back() == u[first] && v.back() == v[first])
+    {
+      u.pop_back();
+      v.pop_back();
+    }
+    if (u.size() < first + 3)
+    {
+      u.resize(first);
+      v.resize(first);
+      u.insert(u.end(), contours.U.begin() + begin, contours.U.begin() + end);
+      v.insert(v.end(), contours.V.begin() + begin, contours.V.begin() + end);
+    }
+    offsets.push_back(static_cast<Index>(u.size()));
+  }
+  contours.U.swap(u);
+  contours.V.swap(v);
+  contours.Offsets.swap(offsets);
+}
+
 /// The number of the grid's precision next to x, but not beyond it on the side of `outwards`.
 double RoundInwards(const SpatialGrid& grid, double x, double outwards)
 {
   const double rounded = grid.Round(x);
   const bool isBeyond = outwards < 0.0 ? rounded < x : rounded > x;
+  if (isBeyond && grid.Quantum > 0.0)
+  {
+    return rounded - std::copysign(grid.Quantum, outwards);
+  }
   return isBeyond ? std::nextafter(static_cast<float>(rounded), static_cast<float>(-outwards))
                   : rounded;
 }
@@ -236,10 +283,16 @@ void SetBounds(const Box3& box, const Box3& all, SpatialGrid& grid)
 }
 }
 
-SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePrecision)
+SpatialGrid BuildSpatialGrid(
+  Contours& contours, double tolerance, bool singlePrecision, double quantum)
 {
   SpatialGrid grid;
   grid.SinglePrecision = singlePrecision;
+  grid.Quantum = quantum;
+  if (quantum > 0.0)
+  {
+    RoundVertices(grid, contours);
+  }
   const Box3 box = BoxOf(contours);
   if (contours.Count() > 0)
   {
@@ -273,5 +326,15 @@ SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePr
   DropFlagsOfReal(grid);
   SetBounds(BoxOf(contours, false), box, grid);
   return grid;
+}
+
+void LimitBounds(const Box3& border, SpatialGrid& grid)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double room = RoomBeyondBorder * grid.SpacingAtEnds[axis];
+    grid.Lowest[axis] = std::max(grid.Lowest[axis], grid.Round(border.Low[axis] - room));
+    grid.Highest[axis] = std::min(grid.Highest[axis], grid.Round(border.High[axis] + room));
+  }
 }
 }

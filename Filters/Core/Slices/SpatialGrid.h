@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesSpatialGrid_h
 #define OrthoSlicesSpatialGrid_h
 
+#include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 
 #include <algorithm>
@@ -35,6 +36,9 @@ struct SpatialGrid
   std::array<std::vector<std::uint8_t>, 3> Virtual;
   /// All coordinates of the result, planes included, are values of float.
   bool SinglePrecision = false;
+  /// If it is not 0, all coordinates of the result, planes included, are multiples of this power of 2:
+  /// for results that will be mapped, so that distinct points stay distinct.
+  double Quantum = 0.0;
   /// Distance of neighbouring numbers of the precision at the largest coordinate of each axis.
   Point3 Step{ 0.0, 0.0, 0.0 };
   /// Length of the box around all contours along each axis; where it is zero, the greatest of the
@@ -102,6 +106,10 @@ struct SpatialGrid
   /// A coordinate as it will be in the result.
   double Round(double x) const
   {
+    if (this->Quantum > 0.0)
+    {
+      return this->Quantum * std::nearbyint(x / this->Quantum);
+    }
     if (!this->SinglePrecision)
     {
       return x;
@@ -238,9 +246,15 @@ private:
  * Finds the planes of all contours and sets Contours::Plane. Planes closer than `tolerance`, or
  * than a few dozen steps of the precision, to the first of a group become one at the median
  * coordinate of the group's contours; the contours move onto it. A plane is virtual if all of its
- * contours are; otherwise these have no say in its coordinate. Sets the bounds of the surface.
+ * contours are; otherwise these have no say in its coordinate. Sets the bounds of the surface. With a
+ * quantum, vertices of contours become multiples of it, too.
  */
-SpatialGrid BuildSpatialGrid(Contours& contours, double tolerance, bool singlePrecision = false);
+SpatialGrid BuildSpatialGrid(
+  Contours& contours, double tolerance, bool singlePrecision = false, double quantum = 0.0);
+
+/// Narrows the bounds of the surface to the border of the image, but for as much room beyond it as keeps
+/// contours of virtual planes on it. REQUIRES: no contour lies beyond the border.
+void LimitBounds(const Box3& border, SpatialGrid& grid);
 }
 
 #endif

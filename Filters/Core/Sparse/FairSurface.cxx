@@ -3,6 +3,7 @@
 #include "Core/Sparse/FairSurface.h"
 
 #include "Core/Base/DisjointSets.h"
+#include "Core/Sparse/SlabPull.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -65,9 +66,29 @@ Operator MakeOperator(EdgeWeights weights, const SurfaceMesh& mesh)
   return result;
 }
 
-/// Least bending where the points with `place` >= 0 are free, numbered by their place.
-bool Solve(const Operator& bending, const std::vector<std::uint8_t>& crease,
-  const std::vector<Index>& place, Index freePoints, std::vector<Point3>& points)
+/// The equations of least bending, for the points that are free.
+class BendingEquations
+{
+public:
+  /// Points with `place` >= 0 are free, numbered by their place.
+  BendingEquations(const Operator& bending, const std::vector<std::uint8_t>& crease,
+    const std::vector<Index>& place, Index freePoints, const std::vector<Point3>& points);
+
+  /// Moves the free points to where the surface bends least. False if that cannot be solved.
+  bool Solve(std::vector<Point3>& points);
+  /// Moves them along one axis alone, with a pull that joins the bending.
+  bool SolveWith(const SlabPull& pull, int axis, std::vector<Point3>& points);
+
+private:
+  const std::vector<Index>& Place;
+  Matrix Normal;
+  Columns Right;
+  Eigen::SimplicialLDLT<Matrix> Solver;
+};
+
+BendingEquations::BendingEquations(const Operator& bending, const std::vector<std::uint8_t>& crease,
+  const std::vector<Index>& place, Index freePoints, const std::vector<Point3>& points)
+  : Place(place)
 {
   // Columns of free points, and what the others add to each row.
   const Index count = static_cast<Index>(points.size());
@@ -105,25 +126,93 @@ bool Solve(const Operator& bending, const std::vector<std::uint8_t>& crease,
   }
   free.setFromTriplets(entries.begin(), entries.end());
   Matrix transposed = free.transpose();
-  Eigen::SimplicialLDLT<Matrix> solver(transposed * free);
-  if (solver.info() != Eigen::Success)
+  this->Normal = transposed * free;
+  this->Right = -(transposed * given);
+  this->Solver.analyzePattern(this->Normal);
+}
+
+bool BendingEquations::Solve(std::vector<Point3>& points)
+{
+  this->Solver.factorize(this->Normal);
+  if (this->Solver.info() != Eigen::Success)
   {
     return false;
   }
-  const Columns right = -(transposed * given);
-  const Columns moved = solver.solve(right);
+  const Columns moved = this->Solver.solve(this->Right);
   if (!moved.allFinite())
   {
     return false;
   }
-  for (Index point = 0; point < count; ++point)
+  for (std::size_t point = 0; point < points.size(); ++point)
   {
-    if (place[point] >= 0)
+    if (this->Place[point] >= 0)
     {
-      points[point] = { moved(place[point], 0), moved(place[point], 1), moved(place[point], 2) };
+      const Index row = this->Place[point];
+      points[point] = { moved(row, 0), moved(row, 1), moved(row, 2) };
     }
   }
   return true;
+}
+
+bool BendingEquations::SolveWith(const SlabPull& pull, int axis, std::vector<Point3>& points)
+{
+  Eigen::VectorXd right = this->Right.col(axis);
+  Matrix normal = this->Normal;
+  for (std::size_t point = 0; point < points.size(); ++point)
+  {
+    const Index row = this->Place[point];
+    if (row >= 0 && pull.Strength[point] > 0.0)
+    {
+      normal.coeffRef(row, row) += pull.Strength[point];
+      right[row] += pull.Strength[point] * pull.Aim[point];
+    }
+  }
+  this->Solver.factorize(normal);
+  if (this->Solver.info() != Eigen::Success)
+  {
+    return false;
+  }
+  const Eigen::VectorXd moved = this->Solver.solve(right);
+  if (!moved.allFinite())
+  {
+    return false;
+  }
+  for (std::size_t point = 0; point < points.size(); ++point)
+  {
+    if (this->Place[point] >= 0)
+    {
+      points[point][axis] = moved[this->Place[point]];
+    }
+  }
+  return true;
+}
+
+/// The mean over the surface of the square of the bending in widths of the slabs; see SlabPull. What
+/// is sharper than a ball as wide as its slab counts as such.
+double MeasureRoughness(
+  const Operator& bending, const SurfaceMesh& mesh, const std::vector<Point3>& points)
+{
+  constexpr double sharpest = 4.0;
+  Columns places(points.size(), 3);
+  for (std::size_t point = 0; point < points.size(); ++point)
+  {
+    places.row(point) << points[point][0], points[point][1], points[point][2];
+  }
+  const Columns laplacian = bending.Laplacian * places;
+  double sum = 0.0, total = 0.0;
+  for (Index point = 0; point < mesh.Corners.PointCount(); ++point)
+  {
+    const double area = bending.Area[point];
+    if (mesh.Corners.IsUsed(point) && area > 0.0)
+    {
+      const Box3& cell = mesh.Cells[mesh.CellOf(point)];
+      const double width = cell.High[mesh.StretchAxis] - cell.Low[mesh.StretchAxis];
+      const double bend = width / area * laplacian.row(point).norm();
+      sum += area * std::min(sharpest, bend * bend);
+      total += area;
+    }
+  }
+  return total > 0.0 ? sum / total : 0.0;
 }
 
 /**
@@ -203,6 +292,33 @@ Index NumberFreePoints(
   }
   return count;
 }
+
+/// Moves free points that have left their cells onto the boundary, and stops them. False if there are
+/// none.
+bool StopAtCells(
+  const std::vector<Index>& place, SurfaceMesh& mesh, std::vector<std::uint8_t>& stopped)
+{
+  bool changed = false;
+  for (std::size_t i = 0; i < place.size(); ++i)
+  {
+    if (place[i] < 0)
+    {
+      continue;
+    }
+    const Box3& cell = mesh.Cells[mesh.CellOf(static_cast<Index>(i))];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double inside = std::clamp(mesh.Points[i][axis], cell.Low[axis], cell.High[axis]);
+      if (inside != mesh.Points[i][axis])
+      {
+        mesh.Points[i][axis] = inside;
+        stopped[i] = 1;
+        changed = true;
+      }
+    }
+  }
+  return changed;
+}
 }
 
 void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
@@ -210,39 +326,32 @@ void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
   const Operator bending = MakeOperator(weights, mesh);
   std::vector<std::uint8_t> stopped = FindHeldPoints(mesh);
   HoldFlatComponents(mesh, stopped);
+  const bool isPulled = weights == EdgeWeights::Cotangents && mesh.StretchAxis >= 0;
+  SlabPull pull;
   std::vector<Index> place;
   // Points that reach the end of their cell stay there; then the others are placed anew.
   constexpr int rounds = 3;
-  for (int round = 0; round < rounds; ++round)
+  bool changed = true;
+  for (int round = 0; round < rounds && changed; ++round)
   {
     const Index freePoints = NumberFreePoints(mesh, stopped, place);
-    if (freePoints == 0 || !Solve(bending, mesh.Crease, place, freePoints, mesh.Points))
+    std::vector<Point3> points = mesh.Points;
+    BendingEquations equations(bending, mesh.Crease, place, freePoints, points);
+    // A pull acts along the axis alone, and so do, but for the bounds of all, the ends of cells.
+    if (freePoints == 0 || ((round == 0 || !isPulled) && !equations.Solve(points)))
     {
       return;
     }
-    bool changed = false;
-    for (std::size_t i = 0; i < place.size(); ++i)
+    if (isPulled && round == 0)
     {
-      if (place[i] < 0)
-      {
-        continue;
-      }
-      const Box3& cell = mesh.Cells[mesh.CellOf(static_cast<Index>(i))];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const double inside = std::clamp(mesh.Points[i][axis], cell.Low[axis], cell.High[axis]);
-        if (inside != mesh.Points[i][axis])
-        {
-          mesh.Points[i][axis] = inside;
-          stopped[i] = 1;
-          changed = true;
-        }
-      }
+      pull = PullIntoSlabs(mesh, MeasureRoughness(bending, mesh, points));
     }
-    if (!changed)
+    if (isPulled && !equations.SolveWith(pull, mesh.StretchAxis, points))
     {
       return;
     }
+    mesh.Points.swap(points);
+    changed = StopAtCells(place, mesh, stopped);
   }
 }
 }

@@ -25,9 +25,11 @@ enum class EdgeWeights
  *
  * Contours are interpolated: fixed points stay, and the bending at them counts, so that the surface
  * passes them smoothly; that at points of creases does not; a patch all of whose
- * contours are creases is left as it is, and so is a component with contours in one slice alone. Points that would leave their cell are
- * moved onto its boundary, and the others placed anew, three times at most; what is outside then is
- * moved onto the boundary alone. So all free points are within their cells. Triangles may cross.
+ * contours are creases is left as it is, and so is a component with contours in one slice alone. With
+ * cotangents and a StretchAxis, what spreads far from its contours is pulled to the middle of its
+ * slab (SlabPull). Points that would leave their cell are moved onto its boundary, and the others
+ * placed anew, three times at most; what is outside then is moved onto the boundary alone. So all free
+ * points are within their cells. Triangles may cross.
  * Where the equations have no finite solution, points stay as they are.
  */
 void FairSurface(EdgeWeights weights, SurfaceMesh& mesh);

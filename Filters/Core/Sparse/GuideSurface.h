@@ -3,18 +3,26 @@
 #ifndef OrthoSlicesGuideSurface_h
 #define OrthoSlicesGuideSurface_h
 
+#include "Core/Sparse/GuideCurves.h"
 #include "Core/Sparse/SurfaceMesh.h"
 
 namespace orthoslices
 {
 /**
- * Has the surface pass through points that are known from elsewhere, such as contours of slices at
- * any angle. For each guide, the nearest point of the mesh moves there and is fixed, if that is less
- * than `reach` (world units) away. Where it is the nearest one to several guides, the closest of these
- * counts; where it is fixed already, on a contour, the guide moves nothing. Deterministic; time is
- * the number of guides times that of points.
+ * Has the surface of a stack pass through contours of slices across. Slice by slice, the mesh is cut
+ * along the plane of the slice. What lies on the plane then runs from contour to contour of the
+ * stack, as the pieces of the slice do. Where a piece and a part of the cut are between the same
+ * slices of the stack, run in the same direction, and are each other's closest by their ends, which
+ * are within `reach` (world units) in the sum, that part becomes a curve on the mesh: its points move
+ * onto the piece, at the same share of its length, and are fixed, with an edge for every `edgeLength`
+ * of the piece at least. Points of slices before stay where they are; where contours of two slices do
+ * not meet, the points between change from one to the other evenly.
+ *
+ * Pieces without such a part guide nothing. Returns the number of pieces that do. Deterministic; time
+ * is the number of slices times that of triangles, and of pieces of a slice squared.
  */
-void GuideSurface(const std::vector<Point3>& guides, double reach, SurfaceMesh& mesh);
+Index GuideSurface(
+  const GuideCurves& guides, double reach, double edgeLength, SurfaceMesh& mesh);
 }
 
 #endif

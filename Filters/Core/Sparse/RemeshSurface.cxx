@@ -86,22 +86,6 @@ bool TryCollapse(
   return true;
 }
 
-/// Splits the edge of a corner in its middle.
-void SplitEdge(Index corner, SurfaceMesh& mesh)
-{
-  const Index start = mesh.Corners.StartOf(corner);
-  const Index end = mesh.Corners.EndOf(corner);
-  const Index across = mesh.Corners.OppositeOf(corner);
-  const bool isCurve = mesh.Corners.IsCurve(corner);
-  mesh.Points.push_back(Between(mesh.Points[start], mesh.Points[end], 0.5));
-  mesh.Stretch.push_back(0.5 * (mesh.Stretch[start] + mesh.Stretch[end]));
-  mesh.Fixed.push_back(isCurve ? 1 : 0);
-  mesh.Crease.push_back(mesh.Crease[start] && mesh.Crease[end] && isCurve ? 1 : 0);
-  mesh.Cell.push_back(mesh.Cell[corner / 3]);
-  mesh.Cell.push_back(mesh.Cell[across / 3]);
-  mesh.Corners.Split(corner);
-}
-
 bool IsDelaunay(const SurfaceMesh& mesh, Index corner)
 {
   // A little more than nothing, so that four points on a circle do not flip for ever.
@@ -174,7 +158,7 @@ void SplitLongEdges(double length, SurfaceMesh& mesh)
     {
       if (mesh.Corners.IsAlive(corner) && EdgeLength(mesh, corner) > Long * length)
       {
-        SplitEdge(corner, mesh);
+        SplitEdge(corner, 0.5, mesh);
         changed = true;
       }
     }

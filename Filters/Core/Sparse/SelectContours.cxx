@@ -26,21 +26,4 @@ Contours SelectAxis(const Contours& contours, int axis, bool ofAxis)
   RemoveMarked(isOther, chosen);
   return chosen;
 }
-
-std::vector<Point3> SamplePoints(const Contours& contours, double distance)
-{
-  std::vector<Point3> points;
-  for (Index contour = 0; contour < contours.Count(); ++contour)
-  {
-    for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
-    {
-      const Point3 point = contours.World(contour, i);
-      if (i == contours.Offsets[contour] || Length(point - points.back()) >= distance)
-      {
-        points.push_back(point);
-      }
-    }
-  }
-  return points;
-}
 }

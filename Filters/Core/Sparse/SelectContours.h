@@ -5,8 +5,6 @@
 
 #include "Core/Base/Contours.h"
 
-#include <vector>
-
 /// Parts and sums of contours, for surfaces from some of them or with virtual ones.
 namespace orthoslices
 {
@@ -15,9 +13,6 @@ void AddVirtual(const Contours& others, Contours& contours);
 
 /// The contours of an axis if `ofAxis`, else those of all others.
 Contours SelectAxis(const Contours& contours, int axis, bool ofAxis);
-
-/// Vertices of contours, at least `distance` (world units) apart along each of them.
-std::vector<Point3> SamplePoints(const Contours& contours, double distance);
 }
 
 #endif

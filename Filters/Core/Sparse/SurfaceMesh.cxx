@@ -3,6 +3,7 @@
 #include "Core/Sparse/SurfaceMesh.h"
 
 #include "Core/Graph/CycleGeometry.h"
+#include "Core/Sparse/RaiseEnds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +41,9 @@ std::vector<std::array<Index, 3>> ListTriangles(
   return triangles;
 }
 
-/// Where points of a cell may go.
-Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const std::array<Index, 3>& cell)
+/// Where points of a cell may go: as far as guides show, or half a spacing beyond the contours.
+Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const Box3& guides,
+  const std::array<Index, 3>& cell)
 {
   Box3 box;
   for (int axis = 0; axis < 3; ++axis)
@@ -49,9 +51,13 @@ Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const std::array<I
     const double beyond = 0.5 * grid.MeanSpacing(axis);
     const Index slab = cell[axis];
     const double margin = grid.Margin(axis, slab);
-    box.Low[axis] = slab > 0 ? grid.Planes[axis][slab - 1] + margin : contours.Low[axis] - beyond;
+    box.Low[axis] = slab > 0
+      ? grid.Planes[axis][slab - 1] + margin
+      : std::min(contours.Low[axis] - beyond, guides.Low[axis]);
     box.High[axis] =
-      slab < grid.Count(axis) ? grid.Planes[axis][slab] - margin : contours.High[axis] + beyond;
+slab < grid.Count(axis)
+      ? grid.Planes[axis][slab] - margin
+      : std::max(contours.High[axis] + beyond, guides.High[axis]);
   }
   return box;
 }
@@ -85,13 +91,14 @@ constexpr double SpacingsOfRadiusAtEdge = 3.0;
 /// Thinner things are not worth the triangles.
 constexpr double MaxStretch = 16.0;
 
-void FindStretch(const CycleGeometry& geometry, SurfaceMesh& mesh)
+void FindStretch(const CycleGeometry& geometry, const StackEnds& ends, SurfaceMesh& mesh)
 {
   const NodeGraph& graph = geometry.Graph;
   for (Index loop = 0; loop < static_cast<Index>(graph.Loops.size()); ++loop)
   {
     const Index first = graph.FirstPoint(graph.Arcs + loop);
-    const double spacings = mesh.Crease[first] != 0 ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
+    const bool isAtEdge = mesh.Crease[first] != 0 || ends.HasRim[loop] != 0;
+    const double spacings = isAtEdge ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
     const double needed = spacings * geometry.Grid.MeanSpacing(mesh.StretchAxis);
     const double stretch = std::clamp(needed / ThicknessOfLoop(graph, loop), 1.0, MaxStretch);
     std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), stretch);
@@ -110,33 +117,45 @@ void FindStretch(const CycleGeometry& geometry, SurfaceMesh& mesh)
   }
 }
 
-/// A patch that is as flat as that against the distance of slices ends the object there.
-constexpr double Flatness = 0.02;
-
-/// Where the object ends with a flat patch in a slice, the surface has an edge around it.
-void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches, SurfaceMesh& mesh)
+/// The points of a patch, some of them more than once.
+std::vector<Index> ListPointsOf(Index patch, const Patches& patches, const SurfaceMesh& mesh)
 {
-  for (Index patch = 0; patch < geometry.Cycles.Count(); ++patch)
+  std::vector<Index> points;
+  for (std::int64_t corner = 3 * patches.Offsets[patch]; corner < 3 * patches.Offsets[patch + 1];
+       ++corner)
   {
-    Box3 box;
-    const auto forPoints = [&](auto&& visit)
+    points.push_back(mesh.Corners.VertexOf(static_cast<Index>(corner)));
+  }
+  return points;
+}
+
+/// Whether the object ends flat with a patch of an only family, as the patch has it.
+bool IsFlat(const std::vector<Index>& points, double spacing, const SurfaceMesh& mesh)
+{
+  Box3 box;
+  for (const Index point : points)
+  {
+    box.Add(mesh.Points[point]);
+  }
+  const int axis = mesh.StretchAxis;
+  return box.High[axis] - box.Low[axis] < FlatShare * spacing;
+}
+
+/// Where the object ends with a flat patch, in a slice or within a rim, the surface has an edge around it.
+void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches, const StackEnds& ends,
+  SurfaceMesh& mesh)
+{
+  const double spacing = geometry.Grid.MeanSpacing(mesh.StretchAxis);
+  const bool hasSpacing = geometry.Grid.Count(mesh.StretchAxis) > 1;
+  for (Index patch = 0; patch < geometry.Cycles.Count() && hasSpacing; ++patch)
+  {
+    const std::vector<Index> points = ListPointsOf(patch, patches, mesh);
+    const EndKind kind = ends.OfPatch[patch];
+    if (kind == EndKind::Unknown ? IsFlat(points, spacing, mesh) : kind != EndKind::Dome)
     {
-      for (std::int64_t triangle = patches.Offsets[patch]; triangle < patches.Offsets[patch + 1];
-           ++triangle)
+      for (const Index point : points)
       {
-        for (Index corner = 0; corner < 3; ++corner)
-        {
-          visit(mesh.Corners.VertexOf(static_cast<Index>(3 * triangle) + corner));
-        }
-      }
-    };
-    forPoints([&](Index point) { box.Add(mesh.Points[point]); });
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if (geometry.Grid.Count(axis) > 1 &&
-        box.High[axis] - box.Low[axis] < Flatness * geometry.Grid.MeanSpacing(axis))
-      {
-        forPoints([&](Index point) { mesh.Crease[point] |= mesh.Fixed[point]; });
+        mesh.Crease[point] |= mesh.Fixed[point];
       }
     }
   }
@@ -155,35 +174,61 @@ void MarkContours(SurfaceMesh& mesh)
 }
 }
 
-SurfaceMesh MakeSurfaceMesh(
-  const CycleGeometry& geometry, const Patches& patches, const Execution& execution)
+void SplitEdge(Index corner, double share, SurfaceMesh& mesh)
 {
-  std::vector<Point3> points = ListPoints(geometry.Graph, patches);
-  SurfaceMesh mesh{ CornerTable(static_cast<Index>(points.size()),
-                      ListTriangles(geometry, patches, execution)),
-    std::move(points), {}, {}, {}, {}, -1, {} };
-  mesh.Fixed.assign(mesh.Points.size(), 0);
-  mesh.Crease.assign(mesh.Points.size(), 0);
-  std::fill_n(mesh.Fixed.begin(), geometry.Graph.Count(), std::uint8_t(1));
+  const Index start = mesh.Corners.StartOf(corner);
+  const Index end = mesh.Corners.EndOf(corner);
+  const Index across = mesh.Corners.OppositeOf(corner);
+  const bool isCurve = mesh.Corners.IsCurve(corner);
+  mesh.Points.push_back(Between(mesh.Points[start], mesh.Points[end], share));
+  mesh.Stretch.push_back((1.0 - share) * mesh.Stretch[start] + share * mesh.Stretch[end]);
+  mesh.Fixed.push_back(isCurve ? 1 : 0);
+  mesh.Crease.push_back(mesh.Crease[start] && mesh.Crease[end] && isCurve ? 1 : 0);
+  mesh.Cell.push_back(mesh.Cell[corner / 3]);
+  mesh.Cell.push_back(mesh.Cell[across / 3]);
+  mesh.Corners.Split(corner);
+}
+
+SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patches,
+  GuideCurves& guides, const Execution& execution)
+{
+  DraftMesh draft{ ListPoints(geometry.Graph, patches),
+    ListTriangles(geometry, patches, execution), {} };
+  const std::size_t given = draft.Points.size();
+  const Index cycles = geometry.Cycles.Count();
+  draft.Patch.resize(draft.Triangles.size());
   Box3 contours;
   for (Index point = 0; point < geometry.Graph.Count(); ++point)
   {
-    contours.Add(mesh.Points[point]);
+    contours.Add(draft.Points[point]);
   }
-  mesh.Cell.resize(static_cast<std::size_t>(patches.TriangleCount()));
-  for (Index cycle = 0; cycle < geometry.Cycles.Count(); ++cycle)
+  const Box3 guided = BoxOf(guides);
+  std::vector<Box3> cells;
+  for (Index cycle = 0; cycle < cycles; ++cycle)
   {
-    mesh.Cells.push_back(BoundCell(geometry.Grid, contours, geometry.Cycles.Cell[cycle]));
-    std::fill(mesh.Cell.begin() + patches.Offsets[cycle],
-      mesh.Cell.begin() + patches.Offsets[cycle + 1], cycle);
+    cells.push_back(BoundCell(geometry.Grid, contours, guided, geometry.Cycles.Cell[cycle]));
+    std::fill(draft.Patch.begin() + patches.Offsets[cycle],
+      draft.Patch.begin() + patches.Offsets[cycle + 1], cycle);
   }
+  for (Index cycle = 0; cycle < cycles; ++cycle)
+  {
+    cells.push_back(cells[cycle]); // of the wall of its rim
+  }
+  const int axis = FindOnlyFamily(geometry.Grid);
+  const StackEnds ends =
+    axis >= 0 ? RaiseEnds(geometry, patches, guides, draft) : StackEnds();
+  const std::size_t count = draft.Points.size();
+  SurfaceMesh mesh{ CornerTable(static_cast<Index>(count), draft.Triangles),
+    std::move(draft.Points), {}, std::vector<std::uint8_t>(count, 0), std::move(draft.Patch),
+    std::move(cells), axis, std::vector<double>(count, 1.0) };
+  mesh.Fixed.assign(count, 0);
+  std::fill_n(mesh.Fixed.begin(), geometry.Graph.Count(), std::uint8_t(1));
+  std::fill(mesh.Fixed.begin() + static_cast<std::ptrdiff_t>(given), mesh.Fixed.end(), std::uint8_t(1));
   MarkContours(mesh);
-  mesh.Stretch.assign(mesh.Points.size(), 1.0);
-  mesh.StretchAxis = FindOnlyFamily(geometry.Grid);
-  if (mesh.StretchAxis >= 0)
+  if (axis >= 0)
   {
-    MarkFlatPatches(geometry, patches, mesh);
-    FindStretch(geometry, mesh);
+    MarkFlatPatches(geometry, patches, ends, mesh);
+    FindStretch(geometry, ends, mesh);
   }
   return mesh;
 }

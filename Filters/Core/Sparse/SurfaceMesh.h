@@ -5,6 +5,7 @@
 
 #include "Core/Base/Box.h"
 #include "Core/Sparse/CornerTable.h"
+#include "Core/Sparse/GuideCurves.h"
 #include "Core/Surface/LayOutTriangles.h"
 
 #include <vector>
@@ -64,20 +65,25 @@ struct SurfaceMesh
   Index CellOf(Index point) const { return this->Cell[this->Corners.CornerAt(point) / 3]; }
 };
 
+/// Puts a point on the edge of a corner, after a share of the way from its start to its end. On a curve
+/// the point is fixed; it is on a crease if both ends are.
+void SplitEdge(Index corner, double share, SurfaceMesh& mesh);
+
 /**
  * The surface of `patches` with the arcs and loops of G as curves, whose points are fixed. Cells
- * that are not bounded by planes end half a mean spacing beyond the contours, an extent being the
- * spacing where there are fewer than two planes.
+ * that are not bounded by planes end half a mean spacing beyond the contours and the guides, an
+ * extent being the spacing where there are fewer than two planes.
  *
- * With one family of slices, contours around a patch that is flatter than a fiftieth of the spacing
- * become creases: the object ends flat. There, too, points of a contour are stretched by what makes
+ * With one family of slices, contours around a patch that is flatter than FlatShare of the spacing
+ * become creases: the object ends flat. Where guides show what is beyond the last slice, they decide
+ * whether it does there or within a rim farther out (RaiseEnds). At creases, too, points of a contour are stretched by what makes
  * its thickness (twice its area by its length: the radius of a circle) 0.85 of the mean spacing, or 3
  * spacings at a crease, between 1 and 16 times; other points as the one beside them that is
  * stretched most.
  * REQUIRES: the patches are laid out as triangles.
  */
-SurfaceMesh MakeSurfaceMesh(
-  const CycleGeometry& geometry, const Patches& patches, const Execution& execution);
+SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patches,
+  GuideCurves& guides, const Execution& execution);
 }
 
 #endif

@@ -20,8 +20,12 @@ constexpr double MostPlanes = 1024.0;
 constexpr double WideSlab = 1.4;
 /// An axis has few planes if another one has so many times more.
 constexpr Index FewAgainstMany = 3;
-/// A stack across which a surface can bend.
+/// Across so many planes a surface can bend,
 constexpr Index EnoughPlanes = 8;
+/// and across so many where a few slices across guide it.
+constexpr Index EnoughGuidedPlanes = 5;
+/// As few slices across guide a stack of any height.
+constexpr Index FewAcross = 2;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Of the axes that have planes.
@@ -38,6 +42,23 @@ double DensestSpacing(const SpatialGrid& grid)
   return least;
 }
 
+/// The axis with EnoughGuidedPlanes, each other one having few against it, and both together some: at
+/// most FewAcross, or one for FewAgainstMany; -1 if there is none.
+int FindStack(const SpatialGrid& grid)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Index one = grid.Count(FirstAxis(axis)), other = grid.Count(SecondAxis(axis));
+    const Index part = grid.Count(axis) / FewAgainstMany;
+    if (grid.Count(axis) >= EnoughGuidedPlanes && one + other > 0 && std::max(one, other) <= part &&
+      one + other <= std::max(FewAcross, part))
+    {
+      return axis;
+    }
+  }
+  return -1;
+}
+
 /// Whether families are missing, or have few slices, and the others carry a surface across.
 bool NeedsMore(const SpatialGrid& grid)
 {
@@ -50,22 +71,7 @@ bool NeedsMore(const SpatialGrid& grid)
     families += grid.Count(axis) > 0 ? 1 : 0;
   }
   const bool isStack = families == 1 || most >= FewAgainstMany * fewest;
-  return isStack ? families == 1 || most >= EnoughPlanes : least == 0;
-}
-
-/// The axis with at least FewAgainstMany times as many planes as all others together, if they have
-/// any, and EnoughPlanes; -1 if there is none.
-int FindStack(const SpatialGrid& grid)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const Index across = grid.Count(FirstAxis(axis)) + grid.Count(SecondAxis(axis));
-    if (across > 0 && grid.Count(axis) >= std::max(EnoughPlanes, FewAgainstMany * across))
-    {
-      return axis;
-    }
-  }
-  return -1;
+  return isStack ? families == 1 || most >= EnoughPlanes || FindStack(grid) >= 0 : least == 0;
 }
 }
 

@@ -23,9 +23,9 @@ using VirtualPlanes = std::array<std::vector<double>, 3>;
  *   some detail is seen by a dozen slices; and wider than 1.4 times the spacing of the densest axis, as
  *   a flat object has few slices across. Between axes with about as many planes cells are about as
  *   long as wide, and patches from the contours around them are as good as any.
- * - But a stack of less than eight slices with others across, at most a third as many, is not enough
- *   for a surface to bend from one to the next: there the slices across know better, and nothing is
- *   sparse.
+ * - But where all families have fewer than eight slices, these are not enough for a surface to bend from
+ *   one to the next, and nothing is sparse; except in stacks of at least five slices with a few
+ *   across, one or two, or at most a third as many: these show how the object goes on and ends.
  *
  * In sparse slabs, planes are to be as far apart as those of the densest axis, but at most a twelfth
  * and at least a 64th of the extent of their own axis, so that a fine stack does not multiply the
@@ -40,7 +40,7 @@ public:
   SliceDensity() = default; ///< of slices that are not sparse anywhere
   SliceDensity(const SpatialGrid& grid, const Box3& contours, double spacing = 0.0);
 
-  /// The axis of a stack that has a few slices across; -1 if this is none.
+  /// The axis of a stack of five slices and more that has a few across; -1 if this is none.
   int StackAxis() const { return this->Stack; }
   /// Whether there is a sparse slab.
   bool IsSparse() const { return this->Sparse; }

@@ -11,36 +11,25 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
 #include <utility>
 
 namespace orthoslices
 {
 namespace
 {
-/// Surfaces that are farther from a guide, in edges, are taken for others.
+/// A piece of a guide is taken for a part of the surface if its ends are within that, in edges, of
+/// those of the part: slices that contradict each other by more say nothing.
 constexpr double ReachOfGuides = 3.0;
 
-/// Makes the surface a mesh of equal triangles, bent as little as possible. False if stopped.
-bool MakeFair(const std::vector<Point3>& guides, double edgeLength, const Execution& execution,
-  SurfaceMesh& mesh)
+using Steps = std::vector<std::function<void()>>;
+
+/// Runs one step after another. False if stopped.
+bool RunSteps(const Steps& steps, const Execution& execution)
 {
-  const std::function<void()> steps[] = {
-    [&] { CollapseShortEdges(edgeLength, mesh); },
-    [&] { FlipEdges(mesh); },
-    [&] { RefineEdges(edgeLength, mesh); },
-    [&] { CollapseShortEdges(edgeLength, mesh); },
-    [&] { FairSurface(EdgeWeights::Uniform, mesh); },
-    [&] { GuideSurface(guides, ReachOfGuides * edgeLength, mesh); },
-    [&] { SplitLongEdges(edgeLength, mesh); },
-    [&] { CollapseShortEdges(edgeLength, mesh); },
-    [&] { FlipEdges(mesh); },
-    [&] { FairSurface(EdgeWeights::Cotangents, mesh); },
-  };
   double done = 0.0;
   for (const auto& step : steps)
   {
-    if (!execution.Continue(done / static_cast<double>(std::size(steps))))
+    if (!execution.Continue(done / static_cast<double>(steps.size())))
     {
       return false;
     }
@@ -48,6 +37,30 @@ bool MakeFair(const std::vector<Point3>& guides, double edgeLength, const Execut
     done += 1.0;
   }
   return execution.Continue(1.0);
+}
+
+/// Makes the surface a mesh of equal triangles, bent as little as possible. False if stopped.
+bool MakeFair(
+  const GuideCurves& guides, double edgeLength, const Execution& execution, SurfaceMesh& mesh)
+{
+  const auto collapse = [&] { CollapseShortEdges(edgeLength, mesh); };
+  const auto flip = [&] { FlipEdges(mesh); };
+  const auto split = [&] { SplitLongEdges(edgeLength, mesh); };
+  const auto bend = [&] { FairSurface(EdgeWeights::Uniform, mesh); };
+  const auto bendAgain = [&] { FairSurface(EdgeWeights::Cotangents, mesh); };
+  Steps steps{ collapse, flip, [&] { RefineEdges(edgeLength, mesh); }, collapse, bend };
+  if (!guides.Slices.empty())
+  {
+    const auto guide = [&]
+    { GuideSurface(guides, ReachOfGuides * edgeLength, 0.5 * edgeLength, mesh); };
+    steps.insert(steps.end(), { guide, bend, split, collapse, flip, bend });
+  }
+  steps.insert(steps.end(), { split, collapse, flip, bendAgain });
+  if (!guides.Slices.empty())
+  {
+    steps.insert(steps.end(), { split, collapse, flip, bendAgain });
+  }
+  return RunSteps(steps, execution);
 }
 
 /// Vertices closer than that to the line through the others show no shape, as a share of the least
@@ -109,8 +122,9 @@ Contours MakeVirtualSlices(
   const FairSource& source, const SliceDensity& density, const Execution& execution)
 {
   Contours contours;
-  SurfaceMesh mesh = MakeSurfaceMesh(source.Geometry, source.Surface, execution);
-  if (!MakeFair(source.Guides, density.EdgeLength(), execution, mesh))
+  GuideCurves guides = source.Guides;
+  SurfaceMesh mesh = MakeSurfaceMesh(source.Geometry, source.Surface, guides, execution);
+  if (!MakeFair(guides, density.EdgeLength(), execution, mesh))
   {
     return contours;
   }

@@ -4,29 +4,30 @@
 #define OrthoSlicesVirtualSlices_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Sparse/GuideCurves.h"
 #include "Core/Sparse/VirtualPlanes.h"
 #include "Core/Surface/LayOutTriangles.h"
 
 namespace orthoslices
 {
 /// What virtual slices are made from: a surface through the contours of all slices or of some, the
-/// planes of all of them, and points of those that took no part in the surface.
+/// planes of all of them, and the contours across of those that took no part in the surface.
 struct FairSource
 {
   const CycleGeometry& Geometry;
   const Patches& Surface;
   const SpatialGrid& Grid;
-  std::vector<Point3> Guides;
+  GuideCurves Guides;
 };
 
 /**
  * What slices on the planes between the real ones would show, if the object had the topology of the
  * surface that was reconstructed, its contours, and between them the shape that bends least:
  *
- *   MakeSurfaceMesh    the surface, with its contours as curves on it
+ *   MakeSurfaceMesh    the surface, with its contours as curves on it, and the ends that guides show
  *   RemeshSurface      with triangles of about the same size
  *   FairSurface        bent as little as the contours and cells allow
- *   GuideSurface       through the guides; then the two before once more
+ *   GuideSurface       through the guides; then the two before, twice more
  *   SubdivideSurface   four curved triangles for each, within the bounds of the grid
  *   SliceSurface       cut on the planes of ChooseVirtualPlanes
  *
@@ -37,7 +38,8 @@ struct FairSource
  * if not, there are none. REQUIRES: density.IsSparse().
  *
  * Deterministic. The mesh has as many edges as EdgeLength asks for, besides what contours need to
- * keep their course; two sparse systems of equations of its size are solved, three times at most each.
+ * keep their course; two sparse systems of equations of its size are solved, five with guides, three
+ * times at most each.
  */
 Contours MakeVirtualSlices(
   const FairSource& source, const SliceDensity& density, const Execution& execution);

@@ -3,6 +3,7 @@
 #include "Core/Slices/MendCurves.h"
 
 #include "Core/Slices/CloseGaps.h"
+#include "Core/Slices/FindBorders.h"
 
 #include <gtest/gtest.h>
 
@@ -273,6 +274,39 @@ TEST(ImageBorder, OtherAxesSeeTheSameSide)
   EXPECT_TRUE(borders[2].IsFound[0][1]);
   EXPECT_TRUE(borders[1].IsFound[1][1]);
   EXPECT_FALSE(borders[1].IsFound[0][1] || borders[2].IsFound[1][1] || borders[2].IsFound[0][0]);
+}
+
+//----------------------------------------------------------------------------
+TEST(ImageBorder, ToBeLeftOpenCurvesGoOnAcrossIt)
+{
+  const MendedCurves result =
+    Mend({ CurveOf(HalfDisc, 3), CurveOf(HalfDisc, 4, 0.5) }, BorderContours::LeaveOpen);
+  ASSERT_EQ(result.Loops.size(), 2u);
+  EXPECT_DOUBLE_EQ(AreaOf(result.Loops[0]), 12.0 + 0.5 * 6.0) << "for the distance of the slices";
+  ASSERT_EQ(result.Problems.size(), 2u);
+  EXPECT_EQ(result.Problems[0].Kind, ProblemKind::LeftOpen);
+  EXPECT_FALSE(result.Problems[0].IsLeftOut);
+}
+
+//----------------------------------------------------------------------------
+TEST(ImageBorder, WallsThatReachFarthestAreNoSides)
+{
+  // A bar that is cut off at its end: the walls are farthest along v on every slice.
+  const std::vector<Point2> bar{ { 4.0, 0.0 }, { 2.0, 0.0 }, { 0.0, 0.0 }, { 0.0, 1.0 },
+    { 2.0, 1.0 }, { 4.0, 1.0 } };
+  std::vector<OpenCurve> curves;
+  std::array<ImageBorder, 3> borders;
+  for (int i = 0; i < 3; ++i)
+  {
+    curves.push_back(CurveOf(bar, i, 0.1 * i));
+  }
+  for (const Point2& point : bar)
+  {
+    borders[2].Add(point);
+  }
+  FindBorders(curves, borders);
+  EXPECT_TRUE(borders[2].IsFound[0][1]);
+  EXPECT_FALSE(borders[2].IsFound[0][0] || borders[2].IsFound[1][0] || borders[2].IsFound[1][1]);
 }
 
 //----------------------------------------------------------------------------

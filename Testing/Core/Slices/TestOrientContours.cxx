@@ -18,11 +18,11 @@ using namespace orthoslices::support;
 namespace
 {
 std::vector<Problem> Orient(
-  Contours& contours, Orientation orientation = Orientation::ByNesting, bool keepCrossing = false)
+  Contours& contours, Orientation orientation = Orientation::ByNesting, bool removeCrossing = true)
 {
   std::vector<Problem> problems;
   BuildSpatialGrid(contours, 0.0);
-  OrientContours(orientation, keepCrossing, Execution(), contours, problems);
+  OrientContours(orientation, removeCrossing, contours.Count(), Execution(), contours, problems);
   return problems;
 }
 
@@ -188,34 +188,14 @@ TEST(OrientContours, SmallerOfTwoCrossingContoursGoes)
 }
 
 //----------------------------------------------------------------------------
-TEST(OrientContours, CrossingContoursAreReportedAndKeptIfWanted)
+TEST(OrientContours, SettledContoursStayAsTheyAre)
 {
   Contours contours =
-    ParseContours("z=0: 0,0 2,2 2,0 0,2; z=0: 5,5 9,5 9,9 5,9; z=0: 8,8 8,12 12,12");
-  const std::vector<Problem> problems = Orient(contours, Orientation::ByNesting, true);
-  EXPECT_EQ(contours.Count(), 3);
-  ASSERT_EQ(problems.size(), 2u);
-  EXPECT_EQ(problems[0].Kind, ProblemKind::CrossesItself);
-  EXPECT_EQ(problems[0].Cell, 0);
-  EXPECT_EQ(problems[1].Kind, ProblemKind::CrossesOther);
-  EXPECT_EQ(problems[1].Cell, 2);
-}
-
-//----------------------------------------------------------------------------
-TEST(OrientContours, CopiesOfAContourAreRemoved)
-{
-  Contours contours =
-    ParseContours("z=0: 0,0 9,0 9,9 0,9; z=0: 3,3 6,3 6,6 3,6\n"
-                  "z=0: 0,0 9,0 9,9 0,9; z=0: 6,6 6,3 3,3 3,6; z=1: 3,3 6,3 6,6 3,6");
-  EXPECT_TRUE(Orient(contours).empty());
-  ASSERT_EQ(contours.Count(), 3);
-  double areas[2] = { 0.0, 0.0 };
-  for (Index i = 0; i < 3; ++i)
-  {
-    areas[contours.Coordinate[i] == 0.0 ? 0 : 1] += TwiceSignedArea(contours, i);
-  }
-  EXPECT_EQ(areas[0], 2.0 * (81 - 9));
-  EXPECT_EQ(areas[1], 18.0);
+    ParseContours("z=0: 0,0 0,9 9,9 9,0; z=1: 0,0 0,9 9,9 9,0; z=1: 3,3 6,3 6,6 3,6");
+  BuildSpatialGrid(contours, 0.0);
+  std::vector<Problem> problems;
+  OrientContours(Orientation::ByNesting, false, 1, Execution(), contours, problems);
+  EXPECT_EQ(Signs(contours), (std::vector<int>{ 1, -1, 1 }));
 }
 
 //----------------------------------------------------------------------------

@@ -170,8 +170,9 @@ TEST(MakeVirtualSlices, DoNotDependOnThreads)
 TEST(SurfaceMesh, ContoursAreCurvesOfFixedPoints)
 {
   const Sliced sliced(TorusAround(0, 0.3), { 0, 0, 12 });
+  GuideCurves none;
   const SurfaceMesh mesh =
-    MakeSurfaceMesh(GeometryOf(sliced.First), sliced.First.Surface, Execution());
+    MakeSurfaceMesh(GeometryOf(sliced.First), sliced.First.Surface, none, Execution());
   EXPECT_EQ(mesh.StretchAxis, 2);
   Index curves = 0;
   for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
@@ -199,8 +200,9 @@ TEST(SurfaceMesh, FlatEndsHaveACrease)
   const auto countCreases = [](const Solid& solid)
   {
     const Sliced sliced(solid, { 0, 0, 12 });
+    GuideCurves none;
     const SurfaceMesh mesh =
-      MakeSurfaceMesh(GeometryOf(sliced.First), sliced.First.Surface, Execution());
+      MakeSurfaceMesh(GeometryOf(sliced.First), sliced.First.Surface, none, Execution());
     return std::count(mesh.Crease.begin(), mesh.Crease.end(), std::uint8_t(1));
   };
   EXPECT_GT(countCreases(Pipe(0.5)), 0);

@@ -17,8 +17,8 @@
 #include "Support/RandomInput.h"
 #include "Support/ReconstructionMesh.h"
 #include "Support/SparseSolids.h"
-#include "Support/TextContours.h"
 #include "Support/Stages.h"
+#include "Support/TextContours.h"
 #include "Support/Threads.h"
 
 #include <gtest/gtest.h>
@@ -379,9 +379,86 @@ TEST(SparseGuarantees, ComponentsOnOneSliceKeepTheirVolume)
   const double alone = volumeOf(one, VirtualSlices::Off);
   EXPECT_NEAR(volumeOf(one, VirtualSlices::Automatic), alone, 0.05 * alone);
   const double without = volumeOf(others.substr(2), VirtualSlices::Automatic);
-  const double added = volumeOf(one + others, VirtualSlices::Off) -
-    volumeOf(others.substr(2), VirtualSlices::Off);
+  const double added =
+    volumeOf(one + others, VirtualSlices::Off) - volumeOf(others.substr(2), VirtualSlices::Off);
   EXPECT_NEAR(volumeOf(one + others, VirtualSlices::Automatic) - without, added, 0.25 * added);
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// A prism over this polygon from z = 0 on, as a stack of so many slices and rectangles across it.
+struct Prism
+{
+  /// Planes begin at `first`, and end as far before the height.
+  PieceSets Slice(int count, double first, const std::vector<double>& across) const
+  {
+    PieceSets sets = EmptySets();
+    for (int i = 0; i < count; ++i)
+    {
+      AddPiece(sets[2], { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } },
+        first + i * (this->Height - 2.0 * first) / (count - 1));
+    }
+    for (const double x : across)
+    {
+      AddPiece(sets[0], { { -1, 0 }, { 1, 0 }, { 1, this->Height }, { -1, this->Height } }, x);
+    }
+    return sets;
+  }
+
+  double Height = 4.0;
+};
+}
+
+/// Flat ends are where slices across show them: beyond the last slice of a stack, or in it.
+TEST(SparseGuarantees, FlatEndsAreWhereSlicesAcrossShowThem)
+{
+  const Prism prism;
+  for (const int count : { 5, 8, 12 })
+  {
+    for (const double first : { 1e-6, 0.2, 2.0 / count })
+    {
+      Input input;
+      input.Sets = prism.Slice(count, first, { 0.13 });
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        SCOPED_TRACE(std::to_string(count) + " " + std::to_string(first));
+        const Reconstruction result = RunSparse(input);
+        EXPECT_TRUE(result.Grid.HasVirtual());
+        const TriangleMesh mesh = MeshOf(result);
+        EXPECT_EQ(DescribeFlaws(mesh), "");
+        // Upright edges are rounded between slices.
+        EXPECT_NEAR(CheckSurface(mesh).TotalVolume(), 16.0, 0.02 * 16.0);
+        PermuteAxes(input.Sets);
+      }
+    }
+  }
+}
+
+/// Walls and cavities by five or six slices that meet them, and one or two across, are as large as by many.
+TEST(SparseGuarantees, FewSlicesWithOneAcrossShowWallsAndCavities)
+{
+  for (const Solid& solid : { PlainBall(), Pipe(0.5), BallWithCavity(0.5) })
+  {
+    const double volume =
+      CheckSurface(MeshOf(Reconstruct(SliceByFewPlanes(solid, EqualPlanes(solid, { 24, 24, 24 })),
+                     Options(), Execution())))
+        .TotalVolume();
+    for (const auto& count : { std::array<int, 3>{ 1, 0, 8 }, { 1, 1, 8 }, { 0, 1, 9 } })
+    {
+      const Input input = MakeInput(solid, count, InPlaneGrid::Free);
+      SCOPED_TRACE(input.Name);
+      const Reconstruction result = RunSparse(input);
+      EXPECT_TRUE(result.Grid.HasVirtual());
+      EXPECT_NEAR(CheckSurface(MeshOf(result)).TotalVolume(), volume, 0.03 * volume);
+      double worst = 0.0;
+      for (const Point3& point : MeshOf(result).Points)
+      {
+        worst = std::max(worst, std::abs(solid.Value(point)));
+      }
+      EXPECT_LT(worst, 0.1);
+    }
+  }
 }
 
 //----------------------------------------------------------------------------

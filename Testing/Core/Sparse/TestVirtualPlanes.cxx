@@ -175,20 +175,39 @@ TEST(VirtualPlanes, StackWithFewSlicesAcrossGetsMoreOfThese)
 }
 
 //----------------------------------------------------------------------------
-/// Between fewer than eight slices the few across know better.
+/// Between fewer than five slices the few across know better.
 TEST(VirtualPlanes, FewSlicesWithFewAcrossGetNone)
 {
-  for (int count = 3; count < 8; ++count)
+  for (int count = 3; count < 5; ++count)
   {
     EXPECT_FALSE(SlicedBox(Cube, { 1, 1, count }).IsSparse()) << count;
     EXPECT_FALSE(SlicedBox(Cube, { 1, 0, count }).IsSparse()) << count;
     EXPECT_TRUE(SlicedBox(Cube, { 0, 0, count }).IsSparse()) << count;
   }
-  EXPECT_TRUE(SlicedBox(Cube, { 1, 1, 8 }).IsSparse());
-  EXPECT_TRUE(SlicedBox(Cube, { 0, 1, 8 }).IsSparse());
+  EXPECT_TRUE(SlicedBox(Cube, { 1, 1, 5 }).IsSparse());
+  EXPECT_TRUE(SlicedBox(Cube, { 0, 1, 5 }).IsSparse());
   EXPECT_FALSE(SlicedBox(Cube, { 1, 1, 1 }).IsSparse());
   EXPECT_FALSE(SlicedBox(Cube, { 1, 1, 2 }).IsSparse()); // not a stack
+  EXPECT_FALSE(SlicedBox(Cube, { 6, 6, 1 }).IsSparse()); // two of these across each other
   EXPECT_TRUE(SlicedBox(Cube, { 3, 0, 4 }).IsSparse());  // two families and nothing across
+}
+
+//----------------------------------------------------------------------------
+/// One or two slices across guide a stack of five and more; of three and more, up to a third of it.
+TEST(VirtualPlanes, StacksHaveFewSlicesAcross)
+{
+  const auto stackOf = [](const std::array<int, 3>& count)
+  {
+    const SlicedBox box(Cube, count);
+    return SliceDensity(box.Grid, box.Box).StackAxis();
+  };
+  EXPECT_EQ(stackOf({ 1, 1, 5 }), 2);
+  EXPECT_EQ(stackOf({ 5, 1, 0 }), 0);
+  EXPECT_EQ(stackOf({ 2, 8, 0 }), 1);
+  EXPECT_EQ(stackOf({ 2, 2, 12 }), 2);
+  EXPECT_EQ(stackOf({ 2, 2, 11 }), -1);
+  EXPECT_EQ(stackOf({ 1, 1, 4 }), -1);
+  EXPECT_EQ(stackOf({ 0, 0, 12 }), -1); // nothing across
 }
 
 //----------------------------------------------------------------------------

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/CutAtBorder.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace orthoslices
+{
+namespace
+{
+/// Keeps what lies below a coordinate of an axis, or above it.
+class PlaneCutter
+{
+public:
+  PlaneCutter(vtkPolyData* surface, int axis, double coordinate, bool keepsBelow);
+  void Run();
+
+private:
+  void AddTriangle(vtkIdType cell, const vtkIdType* corners);
+  vtkIdType Copy(vtkIdType point);
+  vtkIdType Cut(vtkIdType inside, vtkIdType outside);
+
+  vtkPolyData* Surface;
+  int Axis;
+  double Coordinate;
+  std::vector<double> Height;    ///< of the points over the plane, positive where they go
+  std::vector<vtkIdType> Copies; ///< of the points; -1 if there is none yet
+  std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> Cuts; ///< new points on edges
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Cells;
+  vtkNew<vtkPointData> PointArrays;
+  vtkNew<vtkCellData> CellArrays;
+};
+
+PlaneCutter::PlaneCutter(vtkPolyData* surface, int axis, double coordinate, bool keepsBelow)
+  : Surface(surface)
+  , Axis(axis)
+  , Coordinate(coordinate)
+  , Copies(surface->GetNumberOfPoints(), -1)
+{
+  for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
+  {
+    const double height = surface->GetPoint(point)[axis] - coordinate;
+    this->Height.push_back(keepsBelow ? height : -height);
+  }
+  this->Points->SetDataType(surface->GetPoints()->GetDataType());
+  this->PointArrays->InterpolateAllocate(surface->GetPointData(), surface->GetNumberOfPoints());
+  this->CellArrays->CopyAllocate(surface->GetCellData(), surface->GetNumberOfCells());
+}
+
+vtkIdType PlaneCutter::Copy(vtkIdType point)
+{
+  if (this->Copies[point] < 0)
+  {
+    this->Copies[point] = this->Points->InsertNextPoint(this->Surface->GetPoint(point));
+    this->PointArrays->CopyData(this->Surface->GetPointData(), point, this->Copies[point]);
+  }
+  return this->Copies[point];
+}
+
+/// The point at which an edge passes the plane.
+vtkIdType PlaneCutter::Cut(vtkIdType inside, vtkIdType outside)
+{
+  const auto added = this->Cuts.insert({ { inside, outside }, -1 });
+  if (added.second)
+  {
+    const double share = this->Height[inside] / (this->Height[inside] - this->Height[outside]);
+    double p[3], q[3];
+    this->Surface->GetPoint(inside, p);
+    this->Surface->GetPoint(outside, q);
+    for (int i = 0; i < 3; ++i)
+    {
+      p[i] += share * (q[i] - p[i]);
+    }
+    p[this->Axis] = this->Coordinate;
+    added.first->second = this->Points->InsertNextPoint(p);
+    this->PointArrays->InterpolateEdge(
+      this->Surface->GetPointData(), added.first->second, inside, outside, share);
+  }
+  return added.first->second;
+}
+
+void PlaneCutter::AddTriangle(vtkIdType cell, const vtkIdType* corners)
+{
+  std::vector<vtkIdType> polygon;
+  for (int i = 0; i < 3; ++i)
+  {
+    const vtkIdType from = corners[i], to = corners[(i + 1) % 3];
+    if (this->Height[from] <= 0.0)
+    {
+      polygon.push_back(this->Copy(from));
+    }
+    if (this->Height[from] < 0.0 && this->Height[to] > 0.0)
+    {
+      polygon.push_back(this->Cut(from, to));
+    }
+    if (this->Height[from] > 0.0 && this->Height[to] < 0.0)
+    {
+      polygon.push_back(this->Cut(to, from));
+    }
+  }
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+  {
+    const vtkIdType triangle[3] = { polygon[0], polygon[i - 1], polygon[i] };
+    const vtkIdType added = this->Cells->InsertNextCell(3, triangle);
+    this->CellArrays->CopyData(this->Surface->GetCellData(), cell, added);
+  }
+}
+
+void PlaneCutter::Run()
+{
+  vtkCellArray* triangles = this->Surface->GetPolys();
+  for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    triangles->GetCellAtId(cell, size, corners);
+    // Points of triangles that go altogether are not copied.
+    if (this->Height[corners[0]] < 0.0 || this->Height[corners[1]] < 0.0 ||
+      this->Height[corners[2]] < 0.0)
+    {
+      this->AddTriangle(cell, corners);
+    }
+  }
+  this->PointArrays->Squeeze();
+  this->CellArrays->Squeeze();
+  this->Surface->SetPoints(this->Points);
+  this->Surface->SetPolys(this->Cells);
+  this->Surface->GetPointData()->ShallowCopy(this->PointArrays);
+  this->Surface->GetCellData()->ShallowCopy(this->CellArrays);
+}
+}
+
+void CutAtBorder(const Box3& border, vtkPolyData* surface)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (std::isfinite(border.Low[axis]))
+    {
+      PlaneCutter(surface, axis, border.Low[axis], false).Run();
+    }
+    if (std::isfinite(border.High[axis]))
+    {
+      PlaneCutter(surface, axis, border.High[axis], true).Run();
+    }
+  }
+}
+}

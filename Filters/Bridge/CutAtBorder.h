@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesCutAtBorder_h
+#define OrthoSlicesCutAtBorder_h
+
+#include "Core/Base/Box.h"
+
+class vtkPolyData;
+
+namespace orthoslices
+{
+/**
+ * Cuts off what of a surface of triangles lies beyond the sides of a box that are finite, so that it ends
+ * on them with a boundary. Triangles across a side are divided; arrays are interpolated at the points on
+ * it, and passed on to the parts. Triangles that lie on a side go, and points of no triangle.
+ */
+void CutAtBorder(const Box3& border, vtkPolyData* surface);
+}
+
+#endif

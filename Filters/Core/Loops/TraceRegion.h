@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesTraceRegion_h
+#define OrthoSlicesTraceRegion_h
+
+#include "Core/Planar/PlaneFaces.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/// A closed curve along half-edges of a plane graph.
+struct TracedLoop
+{
+  std::vector<Index> HalfEdges;
+  /// Where it passes from each half-edge to the next one: the nodes, but moved where loops touch.
+  std::vector<Point2> Points;
+  Index Walk; ///< which the greatest part of its length is from
+};
+
+/**
+ * The border of what is inside, 1 for each face, as loops with the interior on their left. They are
+ * simple polygons that neither cross nor touch: where several of them, or one several times, pass
+ * a node, outlines part from each other, and holes from the outline. Corners there are cut off, each
+ * at a distance of its own, by a quarter of what there is room for, and by 1 / 512 of the loop's extent
+ * at most.
+ */
+std::vector<TracedLoop> TraceRegion(
+  const PlaneWalks& walks, const PlaneFaces& faces, const std::vector<std::uint8_t>& inside);
+}
+
+#endif
