@@ -15,6 +15,7 @@
 #include "Bridge/WriteSurface.h"
 #include "Bridge/WriteTables.h"
 #include "Core/Frames/SplitByLabel.h"
+#include "Core/Patches/SharedPatches.h"
 #include "Core/ReconstructSorted.h"
 
 #include "vtkExecutive.h"
@@ -352,6 +353,9 @@ bool vtkOrthogonalSliceReconstruction::ReconstructLabels(orthoslices::SortedSlic
   const double all = std::max<double>(1.0, orthoslices::CountVertices(sorted));
   sorted = orthoslices::SortedSlices();
   orthoslices::LabelOutputs appended(labels, outputs);
+  orthoslices::SharedPatches shared;
+  orthoslices::Options settings = options;
+  settings.Patching.Shared = &shared;
   std::ostringstream refused, report;
   double before = 0.0;
   bool any = false;
@@ -362,7 +366,7 @@ bool vtkOrthogonalSliceReconstruction::ReconstructLabels(orthoslices::SortedSlic
     before += share;
     std::string text;
     const Outcome outcome = this->Reconstruct(
-      std::move(parts[label]), options, [&]() { return appended.Next(label); }, text);
+      std::move(parts[label]), settings, [&]() { return appended.Next(label); }, text);
     if (outcome == Outcome::Stopped)
     {
       return true;
