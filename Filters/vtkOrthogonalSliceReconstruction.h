@@ -165,8 +165,10 @@
  * @section Labels Labels
  * With LabelArray, each label is reconstructed from its contours alone, as in a run of its own but
  * with common axes of the slices, and the outputs of all labels are appended in ascending order of
- * labels. Every surface is closed by itself: no points are shared between labels. Ports 0 and 1 have
- * the cell data "Label", of the type of the input's array; names stand as their number (int) in the
+ * labels. Every surface is closed by itself: no points are shared between labels. Where the contours
+ * of two labels have the same vertices, around a cell of M, the patches of both have the same
+ * triangles, so that neighbours with common borders neither overlap nor leave gaps there. Ports 0 and
+ * 1 have the cell data "Label", of the type of the input's array; names stand as their number (int) in the
  * field data "LabelNames" (vtkStringArray) of port 0. The tables of ports 2 to 7 have a first column
  * "Label", the number or the name. "ComponentId" runs on from label to label, field data that count
  * are of all labels together, "SlicePlane" and "GridCell" count the planes of the label. Port 0 also

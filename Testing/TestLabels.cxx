@@ -145,7 +145,7 @@ void ExpectClosed(vtkPolyData* surface, std::int64_t components)
   EXPECT_EQ(check.Components, components);
 }
 
-void ExpectSameTuples(vtkDataArray* a, vtkIdType first, vtkDataArray* b)
+void ExpectSameTuples(vtkDataArray* a, vtkIdType first, vtkDataArray* b, double tolerance = 0.0)
 {
   ASSERT_NE(a, nullptr);
   ASSERT_NE(b, nullptr);
@@ -155,7 +155,7 @@ void ExpectSameTuples(vtkDataArray* a, vtkIdType first, vtkDataArray* b)
   {
     for (int k = 0; k < b->GetNumberOfComponents(); ++k)
     {
-      different += a->GetComponent(first + i, k) != b->GetComponent(i, k);
+      different += !(std::abs(a->GetComponent(first + i, k) - b->GetComponent(i, k)) <= tolerance);
     }
   }
   EXPECT_EQ(different, 0) << b->GetName();
@@ -177,8 +177,11 @@ TEST(Labels, EachIsTheSurfaceOfARunOfItsOwn)
   int number = 0;
   for (const std::size_t ball : { 1, 0, 2 })
   {
-    FilterRun alone(ThreeBalls()[ball].Slices);
+    LabelRun alone({ ThreeBalls()[ball] });
     vtkPolyData* own = alone.Update();
+    FilterRun plain(ThreeBalls()[ball].Slices);
+    ExpectSameTuples(
+      own->GetPoints()->GetData(), 0, plain.Update()->GetPoints()->GetData(), 1e-9);
     ExpectSameTuples(surface->GetPoints()->GetData(), points, own->GetPoints()->GetData());
     ExpectSameTuples(surface->GetPointData()->GetNormals(), points, own->GetPointData()->GetNormals());
     ExpectSameTuples(
@@ -490,4 +493,53 @@ TEST(Labels, FromAnImageOfLabels)
     total += volumes->GetTuple1(i);
   }
   EXPECT_NEAR(total, VolumeOfBall(16.0), 0.02 * VolumeOfBall(16.0));
+}
+
+namespace
+{
+/// The triangles of a label, each as the set of its corners.
+std::set<std::set<Point3>> TrianglesOf(vtkPolyData* surface, double label)
+{
+  const TriangleMesh mesh = MeshOf(surface);
+  auto* labels = surface->GetCellData()->GetArray("Label");
+  std::set<std::set<Point3>> triangles;
+  for (std::size_t i = 0; i < mesh.Triangles.size(); ++i)
+  {
+    if (labels->GetTuple1(static_cast<vtkIdType>(i)) == label)
+    {
+      const auto& corners = mesh.Triangles[i];
+      triangles.insert({ mesh.Points[corners[0]], mesh.Points[corners[1]], mesh.Points[corners[2]] });
+    }
+  }
+  return triangles;
+}
+}
+
+/// Where contours of two labels are the same, their surfaces are, triangle for triangle.
+TEST(Labels, CommonBordersAreTheSameTriangles)
+{
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(LabelImage());
+  slicer->EveryLabelOn();
+  slicer->SetNumberOfSlices(20, 20, 20);
+  FilterRun run;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    run.Filter->SetInputConnection(axis, slicer->GetOutputPort(axis));
+  }
+  run.Filter->SetLabelArray("Label");
+  vtkPolyData* surface = run.Update();
+  ASSERT_TRUE(run.Errors.empty()) << run.Errors[0];
+  const auto left = TrianglesOf(surface, 3), right = TrianglesOf(surface, 4);
+  double area = 0.0;
+  for (const auto& triangle : left)
+  {
+    if (right.count(triangle) > 0)
+    {
+      const std::vector<Point3> corners(triangle.begin(), triangle.end());
+      area += 0.5 * Length(Cross(corners[1] - corners[0], corners[2] - corners[0]));
+    }
+  }
+  // The border is a disc of radius 16, and not quite even; beside its rim cells have three parts.
+  EXPECT_GT(area, 0.75 * Pi * 16.0 * 16.0);
 }

@@ -116,15 +116,15 @@ TEST(SharedPatches, WhatDoesNotFitIntoTheCellIsNotTaken)
   InnerPatch patch;
   EXPECT_FALSE(shared.Find(narrow, patch));
 
-  // A side between two places of the border, both on the face z = 0.35 of a smaller cell.
+  // A side between two places of the border, both at the lower face of a smaller cell.
   InnerPatch chord;
-  chord.Points = { { 0.4, 0.5, 0.4 } };
+  chord.Points = { { 0.4, 0.5, 0.45 } };
   chord.Normals = { { 0, 0, 1 } };
   chord.Triangles = { { 1, 2, 3 }, { 1, 3, -1 }, { 3, 4, -1 }, { 4, 0, -1 }, { 0, 1, -1 } };
   SharedPatches chords;
   chords.Add(Border(false), chord);
   EXPECT_TRUE(chords.Find(Border(true), patch));
   PatchBorder low = Border(true);
-  low.Room.Low[2] = 0.4 + 1e-9;
+  low.Room.Low[2] = 0.41;
   EXPECT_FALSE(chords.Find(low, patch));
 }
