@@ -247,8 +247,8 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   if (this->UsesLabels())
   {
     const orthoslices::ContourLabels labels = this->ReadLabels(inputs, sorted);
-    done = labels.Count() > 0 &&
-      this->ReconstructLabels(std::move(sorted), labels, options, outputs);
+    done =
+      labels.Count() > 0 && this->ReconstructLabels(std::move(sorted), labels, options, outputs);
   }
   else
   {
@@ -286,8 +286,8 @@ bool vtkOrthogonalSliceReconstruction::ReconstructAll(orthoslices::SortedSlices&
   const orthoslices::Options& options, vtkInformationVector* outputs)
 {
   std::string text;
-  const Outcome outcome =
-    this->Reconstruct(std::move(sorted), options, [outputs]() { return outputs; }, text);
+  const Outcome outcome = this->Reconstruct(
+    std::move(sorted), options, [outputs]() { return outputs; }, text);
   if (outcome == Outcome::Failed)
   {
     vtkErrorMacro(<< text);

@@ -180,12 +180,12 @@ TEST(Labels, EachIsTheSurfaceOfARunOfItsOwn)
     LabelRun alone({ ThreeBalls()[ball] });
     vtkPolyData* own = alone.Update();
     FilterRun plain(ThreeBalls()[ball].Slices);
-    ExpectSameTuples(
-      own->GetPoints()->GetData(), 0, plain.Update()->GetPoints()->GetData(), 1e-9);
+    ExpectSameTuples(own->GetPoints()->GetData(), 0, plain.Update()->GetPoints()->GetData(), 1e-9);
     ExpectSameTuples(surface->GetPoints()->GetData(), points, own->GetPoints()->GetData());
-    ExpectSameTuples(surface->GetPointData()->GetNormals(), points, own->GetPointData()->GetNormals());
     ExpectSameTuples(
-      surface->GetCellData()->GetArray("GridCell"), cells, own->GetCellData()->GetArray("GridCell"));
+      surface->GetPointData()->GetNormals(), points, own->GetPointData()->GetNormals());
+    ExpectSameTuples(surface->GetCellData()->GetArray("GridCell"), cells,
+      own->GetCellData()->GetArray("GridCell"));
     for (vtkIdType i = 0; i < own->GetNumberOfCells(); ++i)
     {
       ASSERT_EQ(label->GetTuple1(cells + i), ThreeBalls()[ball].Label);
@@ -247,7 +247,8 @@ TEST(Labels, TablesAndFieldData)
   ASSERT_EQ(run.Filter->GetComponentTable()->GetNumberOfRows(), 3);
   const double radii[] = { 5.0, 4.0, 3.0 };
   auto* volumes = surface->GetFieldData()->GetArray("LabelVolume");
-  auto* names = vtkStringArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray("LabelNames"));
+  auto* names =
+    vtkStringArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray("LabelNames"));
   ASSERT_NE(names, nullptr);
   for (vtkIdType i = 0; i < 3; ++i)
   {
@@ -274,7 +275,8 @@ TEST(Labels, NamesAreNumberedAndListed)
   vtkPolyData* surface = run.Update();
   ASSERT_TRUE(run.Errors.empty()) << run.Errors[0];
   ExpectClosed(surface, 3);
-  auto* names = vtkStringArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray("LabelNames"));
+  auto* names =
+    vtkStringArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray("LabelNames"));
   ASSERT_NE(names, nullptr);
   ASSERT_EQ(names->GetNumberOfValues(), 3);
   EXPECT_EQ(names->GetValue(0), "heart");
@@ -407,7 +409,8 @@ TEST(Labels, ProgressAndAbort)
   std::vector<double> progress;
   vtkNew<vtkCallbackCommand> listen;
   listen->SetClientData(&progress);
-  listen->SetCallback([](vtkObject* filter, unsigned long, void* values, void*)
+  listen->SetCallback(
+    [](vtkObject* filter, unsigned long, void* values, void*)
     {
       static_cast<std::vector<double>*>(values)->push_back(
         static_cast<vtkAlgorithm*>(filter)->GetProgress());
@@ -418,7 +421,8 @@ TEST(Labels, ProgressAndAbort)
   EXPECT_GT(progress.size(), 15u);
 
   vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* filter, unsigned long, void*, void*)
+  stop->SetCallback(
+    [](vtkObject* filter, unsigned long, void*, void*)
     {
       auto* algorithm = static_cast<vtkAlgorithm*>(filter);
       algorithm->SetAbortExecute(algorithm->GetProgress() > 0.6);
@@ -471,13 +475,13 @@ TEST(Labels, FromAnImageOfLabels)
   run.Filter->SetLabelArray("Label");
   vtkPolyData* surface = run.Update();
   ASSERT_TRUE(run.Errors.empty()) << run.Errors[0];
-  EXPECT_NE(
-    vtkUnsignedCharArray::SafeDownCast(surface->GetCellData()->GetArray("Label")), nullptr);
+  EXPECT_NE(vtkUnsignedCharArray::SafeDownCast(surface->GetCellData()->GetArray("Label")), nullptr);
   // The label around the small ball has an outer surface and a cavity.
   const SurfaceCheck check = CheckSurface(MeshOf(surface));
   EXPECT_TRUE(check.IsClosedManifold()) << check;
   EXPECT_EQ(check.Components, 4);
-  auto* names = vtkStringArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray("LabelNames"));
+  auto* names =
+    vtkStringArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray("LabelNames"));
   auto* volumes = surface->GetFieldData()->GetArray("LabelVolume");
   ASSERT_EQ(names->GetNumberOfValues(), 3);
   double total = 0.0;
@@ -508,7 +512,8 @@ std::set<std::set<Point3>> TrianglesOf(vtkPolyData* surface, double label)
     if (labels->GetTuple1(static_cast<vtkIdType>(i)) == label)
     {
       const auto& corners = mesh.Triangles[i];
-      triangles.insert({ mesh.Points[corners[0]], mesh.Points[corners[1]], mesh.Points[corners[2]] });
+      triangles.insert(
+        { mesh.Points[corners[0]], mesh.Points[corners[1]], mesh.Points[corners[2]] });
     }
   }
   return triangles;

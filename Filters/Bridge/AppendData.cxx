@@ -88,8 +88,7 @@ void AppendArrays(const std::vector<Range>& ranges, vtkDataSetAttributes* whole)
 
 /// Cells of one kind of all parts.
 template <typename CellsOf>
-vtkSmartPointer<vtkCellArray> AppendCells(
-  const std::vector<vtkPolyData*>& parts, CellsOf&& cellsOf)
+vtkSmartPointer<vtkCellArray> AppendCells(const std::vector<vtkPolyData*>& parts, CellsOf&& cellsOf)
 {
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   vtkIdType ids = 0, points = 0;
@@ -116,8 +115,7 @@ void AppendPoints(const std::vector<vtkPolyData*>& parts, vtkPolyData* whole)
   {
     count += part->GetNumberOfPoints();
   }
-  const bool isDouble =
-    !parts.empty() && parts.front()->GetPoints()->GetDataType() == VTK_DOUBLE;
+  const bool isDouble = !parts.empty() && parts.front()->GetPoints()->GetDataType() == VTK_DOUBLE;
   auto points = NewPoints(isDouble, count);
   std::vector<Range> ranges;
   vtkIdType first = 0;

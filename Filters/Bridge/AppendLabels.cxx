@@ -31,8 +31,7 @@ constexpr int ContourTablePort = 3;
 constexpr int ComponentTablePort = 7;
 
 /// An array with one value of `values` in all tuples.
-vtkSmartPointer<vtkAbstractArray> Repeat(
-  vtkAbstractArray* values, vtkIdType index, vtkIdType count)
+vtkSmartPointer<vtkAbstractArray> Repeat(vtkAbstractArray* values, vtkIdType index, vtkIdType count)
 {
   auto array = vtkSmartPointer<vtkAbstractArray>::Take(values->NewInstance());
   array->SetName("Label");
@@ -99,7 +98,7 @@ double MergeMeasure(const std::vector<vtkPolyData*>& parts, const std::string& n
     }
     const double value = ValueOf(part, name.c_str());
     merged = name == "LargestAspectRatio" ? std::max(merged, value)
-      : name == "SmallestAngle" ? (triangles == 0 ? value : std::min(merged, value))
+      : name == "SmallestAngle"           ? (triangles == 0 ? value : std::min(merged, value))
                                 : (merged * triangles + value * count) / (triangles + count);
     triangles += count;
   }
@@ -141,8 +140,8 @@ vtkInformationVector* LabelOutputs::Next(Index label)
   for (int port = 0; port < this->Outputs->GetNumberOfInformationObjects(); ++port)
   {
     vtkNew<vtkInformation> info;
-    const auto data =
-      vtkSmartPointer<vtkDataObject>::Take(vtkDataObject::GetData(this->Outputs, port)->NewInstance());
+    const auto data = vtkSmartPointer<vtkDataObject>::Take(
+      vtkDataObject::GetData(this->Outputs, port)->NewInstance());
     info->Set(vtkDataObject::DATA_OBJECT(), data);
     outputs->Append(info);
   }
@@ -205,8 +204,7 @@ void LabelOutputs::AddLabels(const Part& part)
     }
     if (auto* table = vtkTable::GetData(part.Outputs, port))
     {
-      InsertFirstColumn(
-        Repeat(this->Labels.Values, part.Label, table->GetNumberOfRows()), table);
+      InsertFirstColumn(Repeat(this->Labels.Values, part.Label, table->GetNumberOfRows()), table);
     }
   }
 }

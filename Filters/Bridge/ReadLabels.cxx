@@ -99,8 +99,8 @@ void ReadNames(const LabelArrays& arrays, const PolylineSources& from, ContourLa
   const auto values = ReadValues(arrays, from, std::string(),
     [](vtkAbstractArray* array, vtkIdType i) { return TextOf(array->GetVariantValue(i)); });
   auto names = vtkSmartPointer<vtkStringArray>::New();
-  for (const std::string& name :
-    NumberLabels(values, [](const std::string& name) { return !name.empty(); }, labels))
+  for (const std::string& name : NumberLabels(
+         values, [](const std::string& name) { return !name.empty(); }, labels))
   {
     names->InsertNextValue(name);
   }
@@ -121,8 +121,8 @@ void ReadNumbers(const LabelArrays& arrays, const PolylineSources& from, Contour
     type = array.second->GetDataType() == type ? type : VTK_DOUBLE;
   }
   auto numbers = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
-  for (const double number :
-    NumberLabels(values, [](double value) { return std::isfinite(value); }, labels))
+  for (const double number : NumberLabels(
+         values, [](double value) { return std::isfinite(value); }, labels))
   {
     numbers->InsertNextTuple1(number);
   }

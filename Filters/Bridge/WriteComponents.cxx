@@ -29,8 +29,8 @@ Array* AddColumn(vtkTable* table, const char* name)
 void WriteComponentTable(vtkPolyData* surface, vtkTable* table)
 {
   auto* ids = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("ComponentId"));
-  auto* number = vtkIdTypeArray::SafeDownCast(
-    surface->GetFieldData()->GetAbstractArray("NumberOfComponents"));
+  auto* number =
+    vtkIdTypeArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray("NumberOfComponents"));
   std::vector<ComponentMeasure> measures;
   VisitTriangles(surface,
     [&](const auto* xyz, const auto* triangles, vtkIdType count)

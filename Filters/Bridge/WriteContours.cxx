@@ -109,8 +109,7 @@ void WriteContours(int axis, Precision precision, const std::vector<double>& pla
   std::vector<LabelContours>&& contours, int labelType, vtkPolyData* output)
 {
   std::vector<PlaneContours> plain;
-  const auto labels =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(labelType));
+  const auto labels = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(labelType));
   labels->SetName("Label");
   for (LabelContours& plane : contours)
   {

@@ -67,8 +67,7 @@ std::vector<SortedSlices> SplitByLabel(
         continue;
       }
       SortedSlices& part = parts[labels[line]];
-      CopyPiece(
-        pieces, piece, static_cast<std::int64_t>(part.From.Cell.size()), part.Slices[axis]);
+      CopyPiece(pieces, piece, static_cast<std::int64_t>(part.From.Cell.size()), part.Slices[axis]);
       part.From.Port.push_back(sorted.From.Port[line]);
       part.From.Block.push_back(sorted.From.Block[line]);
       part.From.Cell.push_back(sorted.From.Cell[line]);

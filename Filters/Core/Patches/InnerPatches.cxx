@@ -224,8 +224,8 @@ InnerPatch FanAround(const Point3& center, Index size)
 }
 
 /// Keeps all patches of one cycle, fans included, for structures with the same borders.
-void Share(const PatchTables& tables, const std::vector<Index>& meshOf,
-  const InnerPatches& patches, SharedPatches& shared)
+void Share(const PatchTables& tables, const std::vector<Index>& meshOf, const InnerPatches& patches,
+  SharedPatches& shared)
 {
   PatchBorder border;
   Index next = 0;

@@ -112,14 +112,16 @@ std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const 
       sum.Origin = Between(sum.Bounds.Low, sum.Bounds.High, 0.5);
     }
   }
-  visit([&](const Id* ids, Sums& sum)
-    { sum.Add(point(ids[0]) - sum.Origin, point(ids[1]) - sum.Origin, point(ids[2]) - sum.Origin); });
+  visit(
+    [&](const Id* ids, Sums& sum) {
+      sum.Add(point(ids[0]) - sum.Origin, point(ids[1]) - sum.Origin, point(ids[2]) - sum.Origin);
+    });
   std::vector<ComponentMeasure> measures(count);
   std::transform(sums.begin(), sums.end(), measures.begin(), MeasureOf);
   return measures;
 }
 
-#define ORTHOSLICES_DEFINE(Coordinate, Id)                 \
+#define ORTHOSLICES_DEFINE(Coordinate, Id)                  \
   template std::vector<ComponentMeasure> MeasureComponents( \
     const Coordinate*, const Id*, std::int64_t, const int*, int);
 ORTHOSLICES_DEFINE(float, std::int32_t)

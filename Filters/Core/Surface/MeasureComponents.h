@@ -34,7 +34,7 @@ template <typename Coordinate, typename Id>
 std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const Id* triangles,
   std::int64_t triangleCount, const int* components, int count);
 
-#define ORTHOSLICES_DECLARE(Coordinate, Id)                       \
+#define ORTHOSLICES_DECLARE(Coordinate, Id)                        \
   extern template std::vector<ComponentMeasure> MeasureComponents( \
     const Coordinate*, const Id*, std::int64_t, const int*, int);
 ORTHOSLICES_DECLARE(float, std::int32_t)

@@ -27,8 +27,8 @@ std::vector<double> Coordinates(Index count)
 
 LabelContours Slice(const SamplePlane& plane, double background = 0.0)
 {
-  return SliceLabels(plane, background, Coordinates(plane.SizeU), Coordinates(plane.SizeV),
-    Precision::Double);
+  return SliceLabels(
+    plane, background, Coordinates(plane.SizeU), Coordinates(plane.SizeV), Precision::Double);
 }
 
 SamplePlane RandomLabels(Index sizeU, Index sizeV, int labels, std::uint64_t seed)
@@ -81,10 +81,10 @@ TEST(SliceLabels, EachLabelAsIfThereWereNoOther)
       ASSERT_EQ(contours.Contours.Offsets[found + 1] - contours.Contours.Offsets[found], size);
       for (Index k = 0; k < size; ++k)
       {
-        EXPECT_EQ(
-          contours.Contours.U[contours.Contours.Offsets[found] + k], expected.U[expected.Offsets[i] + k]);
-        EXPECT_EQ(
-          contours.Contours.V[contours.Contours.Offsets[found] + k], expected.V[expected.Offsets[i] + k]);
+        EXPECT_EQ(contours.Contours.U[contours.Contours.Offsets[found] + k],
+          expected.U[expected.Offsets[i] + k]);
+        EXPECT_EQ(contours.Contours.V[contours.Contours.Offsets[found] + k],
+          expected.V[expected.Offsets[i] + k]);
       }
     }
   }
