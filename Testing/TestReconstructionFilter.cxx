@@ -465,11 +465,27 @@ int CountOpenEdgesOff(const TriangleMesh& mesh, int axis, double coordinate)
 
 TEST(ReconstructionFilter, ContoursThatEndAtTheBorderAreClosedOrRefused)
 {
-  // A square bar that the image cuts off at x = 3.
-  const std::string text =
-    "y=1 open: 1,3 1,0 2,0 2,3; y=2 open: 1,3 1,0 2,0 2,3\n"
-    "z=1.2 open: 3,0.5 0,0.5 0,2.5 3,2.5; z=1.8 open: 3,2.5 0,2.5 0,0.5 3,0.5\n"
-    "x=1: 0.5,1 2.5,1 2.5,2 0.5,2; x=2: 0.5,1 2.5,1 2.5,2 0.5,2";
+  // A square bar that the image cuts off at x = 3. With few points it would be taken for complete.
+  const auto wall = [](const std::string& before, const std::string& after, bool forth)
+  {
+    std::string points;
+    for (int i = 0; i <= 10; ++i)
+    {
+      points += before + std::to_string(0.3 * (forth ? i : 10 - i)) + after + " ";
+    }
+    return points;
+  };
+  std::string text = "x=1: 0.5,1 2.5,1 2.5,2 0.5,2; x=2: 0.5,1 2.5,1 2.5,2 0.5,2";
+  for (const char* plane : { "1", "2" })
+  {
+    text += std::string("; y=") + plane + " open: " + wall("1,", "", false) + "1.3,0 1.5,0 1.7,0 " +
+      wall("2,", "", true);
+  }
+  for (const char* plane : { "1.2", "1.8" })
+  {
+    text += std::string("; z=") + plane + " open: " + wall("", ",0.5", false) + "0,1 0,1.5 0,2 " +
+      wall("", ",2.5", true);
+  }
   TextRun run{ text };
   vtkPolyData* surface = run.Update();
   EXPECT_TRUE(run.Errors.empty());

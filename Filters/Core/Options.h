@@ -6,7 +6,7 @@
 #include "Core/Cells/ChooseJoins.h"
 #include "Core/Correspondence/FindCorrespondences.h"
 #include "Core/Crossings/ReconcileSlices.h"
-#include "Core/Loops/LoopRegions.h"
+#include "Core/Loops/LoopRule.h"
 #include "Core/Patches/CentralPoints.h"
 #include "Core/Patches/InnerPatches.h"
 #include "Core/Slices/ImageBorder.h"

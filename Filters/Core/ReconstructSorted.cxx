@@ -95,8 +95,11 @@ void NameSources(const PolylineSources& from, Reconstruction& result)
   {
     for (Problem& problem : *problems)
     {
-      problem.Port = from.Port[problem.Cell];
-      problem.Cell = from.Cell[problem.Cell];
+      if (problem.Cell >= 0)
+      {
+        problem.Port = from.Port[problem.Cell];
+        problem.Cell = from.Cell[problem.Cell];
+      }
     }
   }
   ContourList& members = result.Members;

@@ -7,7 +7,8 @@
  *
  *   FD                   flags: D as drawn, F float, C centroid, L crossing contours left out,
  *                        T tiny (times 1e-9), B features of 1e-3 at 1e6, V virtual slices where
- *                        they are needed, X, Y, Z without the slices of this axis
+ *                        they are needed, M unusable contours mended, X, Y, Z without the
+ *                        slices of this axis
  *   z2: 0,0 4,0 4,4      contour on z = 2; small integers, so that coincidences are frequent
  *   x1o: 0,0 4m1,0e-2    open piece; m adds multiples of 2^-22, e of 2^-50
  *
@@ -39,7 +40,7 @@ namespace
 constexpr std::size_t MaxPieces = 24;
 constexpr std::size_t MaxVertices = 24;
 constexpr int Greatest = 12;
-constexpr const char* Flags = "DFCLTBVXYZ";
+constexpr const char* Flags = "DFCLTBVMXYZ";
 
 struct Number
 {
@@ -201,7 +202,7 @@ PieceSets MakeSets(const FuzzInput& input)
 Options MakeOptions(const FuzzInput& input)
 {
   Options options;
-  options.Invalid = InvalidContours::LeaveOut;
+  options.Invalid = input.Has('M') ? InvalidContours::Mend : InvalidContours::LeaveOut;
   options.SinglePrecision = input.Has('F');
   options.Orient = input.Has('D') ? Orientation::AsDrawn : Orientation::ByNesting;
   options.Crossing = input.Has('L') ? CrossingContours::LeaveOut : CrossingContours::Repair;

@@ -9,7 +9,7 @@
 #define OrthoSlicesLoopOracle_h
 
 #include "Core/Base/Contours.h"
-#include "Core/Loops/LoopRegions.h"
+#include "Core/Loops/LoopRule.h"
 
 #include <vector>
 

@@ -115,7 +115,10 @@ inline Contours UsableContours(const PieceSets& pieces, const Options& options, 
 {
   Contours contours;
   Options untilThen = options;
-  untilThen.Invalid = InvalidContours::LeaveOut;
+  if (options.Invalid == InvalidContours::Refuse)
+  {
+    untilThen.Invalid = InvalidContours::LeaveOut;
+  }
   Execution execution;
   execution.Continue = [](double progress) { return progress < 0.3; };
   Reconstruct(PieceSets(pieces), untilThen, execution,

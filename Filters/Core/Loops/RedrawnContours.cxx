@@ -4,25 +4,15 @@
 
 #include "Core/Base/EditContours.h"
 #include "Core/Base/Vectors.h"
+#include "Core/Loops/ThinWalls.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
 
 namespace orthoslices
 {
 namespace
 {
-/// One contour, and a later one of its slice that may be the same.
-struct Repetition
-{
-  Index First, Second;
-  double Distance; ///< greatest one between them; 0 for copies
-  double Limit;    ///< what the distance may be
-  bool IsOpposite; ///< they run in opposite directions
-};
-
 struct Range
 {
   Point2 Low, High;
@@ -43,8 +33,6 @@ public:
   }
 
   std::vector<Repetition> FindInSlice(const std::vector<Index>& slice) const;
-  bool IsWallAcross(const Repetition& repetition) const;
-  bool HasSlicesAcross(int axis) const;
 
 private:
   Point2 At(Index vertex) const { return { this->Set.U[vertex], this->Set.V[vertex] }; }
@@ -56,11 +44,7 @@ private:
   Index ExtremeVertex(Index contour) const;
   bool IsCopy(Index a, Index b) const;
   bool Compare(Index a, Index b, Repetition& repetition) const;
-  double DistanceTo(const Point2& x, Index contour, Index vertex) const;
   double FarthestFrom(Index a, Index b, double limit) const;
-  double NearestOf(const Point2& x, Index contour, double limit, Index& start) const;
-  Index CountCuts(Index contour) const;
-  Index CountCrossings(const Repetition& repetition) const;
 
   const Contours& Set;
   double Share;
@@ -117,41 +101,6 @@ bool RepetitionFinder::IsCopy(Index a, Index b) const
   return forward || backward;
 }
 
-/// The distance from the segment that begins at a vertex.
-double RepetitionFinder::DistanceTo(const Point2& x, Index contour, Index vertex) const
-{
-  const Point2 p = this->At(vertex);
-  const Point2 q = this->At(this->After(contour, vertex));
-  const double square = SquaredDistance(p, q);
-  const double share = square > 0.0 ? Dot(x - p, q - p) / square : 0.0;
-  return Distance(x, Between(p, q, std::max(0.0, std::min(1.0, share))));
-}
-
-/// The distance from a contour if it is less than the limit, or one that is more. Begins to look at
-/// the segment `start`, and leaves there where it found it.
-double RepetitionFinder::NearestOf(const Point2& x, Index contour, double limit, Index& start) const
-{
-  constexpr Index around = 8; // segments that are looked at even if one before is near enough
-  const Index first = this->Set.Offsets[contour];
-  const Index count = this->Set.Size(contour);
-  double least = std::numeric_limits<double>::infinity();
-  Index best = start;
-  for (Index i = 0; i < count && (i < around || least > limit); ++i)
-  {
-    // 0, 1, -1, 2, -2, ...
-    const Index step = i % 2 == 0 ? count - i / 2 : (i + 1) / 2;
-    const Index vertex = first + (start + step) % count;
-    const double distance = this->DistanceTo(x, contour, vertex);
-    if (distance < least)
-    {
-      least = distance;
-      best = vertex - first;
-    }
-  }
-  start = best;
-  return least;
-}
-
 /// The greatest distance of the vertices of one contour from another; more than the limit if one is.
 double RepetitionFinder::FarthestFrom(Index a, Index b, double limit) const
 {
@@ -159,7 +108,7 @@ double RepetitionFinder::FarthestFrom(Index a, Index b, double limit) const
   Index start = 0;
   for (Index i = this->Set.Offsets[a]; i < this->Set.Offsets[a + 1] && farthest <= limit; ++i)
   {
-    farthest = std::max(farthest, this->NearestOf(this->At(i), b, limit, start));
+    farthest = std::max(farthest, DistanceToContour(this->Set, b, this->At(i), limit, start));
   }
   return farthest;
 }
@@ -235,122 +184,6 @@ std::vector<Repetition> RepetitionFinder::FindInSlice(const std::vector<Index>& 
     { return a.First != b.First ? a.First < b.First : a.Second < b.Second; });
   return found;
 }
-
-bool RepetitionFinder::HasSlicesAcross(int axis) const
-{
-  for (Index i = 0; i < this->Set.Count(); ++i)
-  {
-    if (this->Set.Axis[i] != axis && !this->Set.IsVirtual(i))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/// How often a contour crosses the planes of the slices across.
-Index RepetitionFinder::CountCuts(Index contour) const
-{
-  const int axis = this->Set.Axis[contour];
-  std::set<std::pair<int, double>> planes;
-  for (Index i = 0; i < this->Set.Count(); ++i)
-  {
-    if (this->Set.Axis[i] != axis && !this->Set.IsVirtual(i))
-    {
-      planes.emplace(this->Set.Axis[i], this->Set.Coordinate[i]);
-    }
-  }
-  Index count = 0;
-  for (const auto& plane : planes)
-  {
-    const std::vector<double>& along = plane.first == FirstAxis(axis) ? this->Set.U : this->Set.V;
-    for (Index i = this->Set.Offsets[contour]; i < this->Set.Offsets[contour + 1]; ++i)
-    {
-      count += (along[i] > plane.second) != (along[this->After(contour, i)] > plane.second) ? 1 : 0;
-    }
-  }
-  return count;
-}
-
-/// How often slices across cross the plane of two contours beside one of them.
-Index RepetitionFinder::CountCrossings(const Repetition& repetition) const
-{
-  const int axis = this->Set.Axis[repetition.First];
-  const double height = this->Set.Coordinate[repetition.First];
-  Index count = 0, start = 0;
-  for (Index contour = 0; contour < this->Set.Count(); ++contour)
-  {
-    const int across = this->Set.Axis[contour];
-    if (across == axis || this->Set.IsVirtual(contour))
-    {
-      continue;
-    }
-    const bool isFirst = FirstAxis(across) == axis;
-    const std::vector<double>& up = isFirst ? this->Set.U : this->Set.V;
-    const std::vector<double>& along = isFirst ? this->Set.V : this->Set.U;
-    for (Index i = this->Set.Offsets[contour]; i < this->Set.Offsets[contour + 1]; ++i)
-    {
-      const Index j = this->After(contour, i);
-      if ((up[i] > height) == (up[j] > height))
-      {
-        continue;
-      }
-      const double place = along[i] + (height - up[i]) / (up[j] - up[i]) * (along[j] - along[i]);
-      const double coordinate = this->Set.Coordinate[contour];
-      const Point2 x =
-        across == FirstAxis(axis) ? Point2{ coordinate, place } : Point2{ place, coordinate };
-      count += this->NearestOf(x, repetition.First, 2.0 * repetition.Limit, start) <=
-          2.0 * repetition.Limit
-        ? 1
-        : 0;
-    }
-  }
-  return count;
-}
-
-/// Whether slices across have a wall there.
-bool RepetitionFinder::IsWallAcross(const Repetition& repetition) const
-{
-  const Index ofOne = this->CountCuts(repetition.First);
-  const Index ofBoth = ofOne + this->CountCuts(repetition.Second);
-  return ofBoth > 0 && 2 * this->CountCrossings(repetition) > ofOne + ofBoth;
-}
-
-/// Which of the repetitions are walls; see RemoveRedrawn.
-std::vector<std::uint8_t> FindWalls(const Contours& contours, const RepetitionFinder& finder,
-  const std::vector<Repetition>& repetitions, const Execution& execution)
-{
-  std::array<bool, 3> hasAcross{};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    hasAcross[axis] = finder.HasSlicesAcross(axis);
-  }
-  std::set<std::pair<int, Index>> opposite;
-  for (const Repetition& repetition : repetitions)
-  {
-    if (repetition.IsOpposite)
-    {
-      opposite.emplace(contours.Axis[repetition.First], contours.Plane[repetition.First]);
-    }
-  }
-  std::vector<std::uint8_t> walls(repetitions.size(), 0);
-  execution.For(repetitions.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Repetition& repetition = repetitions[i];
-        const int axis = contours.Axis[repetition.First];
-        const Index plane = contours.Plane[repetition.First];
-        const bool isBetweenAlike =
-          opposite.count({ axis, plane - 1 }) + opposite.count({ axis, plane + 1 }) > 0;
-        walls[i] = repetition.Limit > 0.0 &&
-          (hasAcross[axis] ? finder.IsWallAcross(repetition)
-                           : repetition.IsOpposite && isBetweenAlike);
-      }
-    });
-  return walls;
-}
 }
 
 void RemoveRedrawn(double share, bool directionsCount, const Execution& execution,
@@ -376,7 +209,7 @@ void RemoveRedrawn(double share, bool directionsCount, const Execution& executio
   {
     return;
   }
-  const std::vector<std::uint8_t> walls = FindWalls(contours, finder, all, execution);
+  const std::vector<std::uint8_t> walls = FindWalls(contours, all, execution);
   std::vector<std::uint8_t> removed(contours.Count(), 0);
   for (std::size_t i = 0; i < all.size(); ++i)
   {

@@ -6,6 +6,8 @@
 #include "Core/Base/Predicates.h"
 #include "Core/Base/Vectors.h"
 #include "Core/Loops/LoopMeetings.h"
+#include "Core/Loops/LoopRegions.h"
+#include "Core/Loops/SlightMeetings.h"
 #include "Core/Loops/TraceRegion.h"
 #include "Core/Slices/OrientContours.h"
 
@@ -251,12 +253,13 @@ ResolvedSlice SliceResolver::Run(LoopRule rule, LoopSide side)
     this->Extent = std::max(this->Extent, (*range.second)[axis] - (*range.first)[axis]);
   }
   const PlaneFaces faces(walks);
-  const LoopRegions regions(walks, faces);
-  if (rule == LoopRule::Union && regions.AreMeetingsSlight())
+  const LoopWindings windings(walks, faces);
+  if (rule == LoopRule::Union && AreMeetingsSlight(windings))
   {
     this->ReportSlight(meetings);
     return std::move(this->Result);
   }
+  const LoopRegions regions(windings);
   std::vector<TracedLoop> loops = TraceRegion(walks, faces,
     side == LoopSide::Surrounded ? regions.FindInside(rule)
                                  : regions.FindInsideAsDrawn(rule, side == LoopSide::InsideOut));

@@ -5,7 +5,7 @@
 
 #include "Core/Base/Contours.h"
 #include "Core/Base/Execution.h"
-#include "Core/Loops/LoopRegions.h"
+#include "Core/Loops/LoopRule.h"
 
 #include <vector>
 
@@ -20,7 +20,7 @@ namespace orthoslices
  * extent is left out. Where two loops or lobes meet in a point, their corners there are cut off by a little.
  *
  * Slices without such meetings are not changed; contours that touch in points may stay. With Union, nor
- * are slices where contours meet by noise only (LoopRegions::AreMeetingsSlight), which is reported:
+ * are slices where contours meet by noise only (AreMeetingsSlight), which is reported:
  * there, EmbedArcs and EmbedIsolated take them apart, so that a crossing by a little leaves no crumbs. With NonZero,
  * slices of several contours are always resolved: there, the direction of holes counts.
  *

@@ -41,6 +41,8 @@ public:
   std::vector<Point2> Weld(Index contour);
 
 private:
+  void Read(Index contour);
+  bool FindBridges();
   std::vector<Index> FindLongSides() const;
   const Point2& At(Index vertex) const { return this->Polygon[vertex % this->Polygon.size()]; }
   bool IsBridge(Index s, Index t, double width) const;
@@ -121,28 +123,33 @@ void BridgeWelder::WeldSides(Index s, Index t)
   this->Inserted[s].emplace_back(SquaredDistance(a, from), from);
 }
 
-std::vector<Point2> BridgeWelder::Weld(Index contour)
+/// The corners, counter-clockwise, and the lengths of the sides.
+void BridgeWelder::Read(Index contour)
 {
-  const double area = 0.5 * TwiceSignedArea(this->Set, contour);
   this->Polygon.clear();
   this->Lengths.clear();
   for (Index i = this->Set.Offsets[contour]; i < this->Set.Offsets[contour + 1]; ++i)
   {
     this->Polygon.push_back({ this->Set.U[i], this->Set.V[i] });
   }
-  if (area < 0.0)
+  if (this->Area < 0.0)
   {
     std::reverse(this->Polygon.begin(), this->Polygon.end());
   }
   for (std::size_t i = 0; i < this->Polygon.size(); ++i)
   {
-    this->Lengths.push_back(Distance(this->At(static_cast<Index>(i)), this->At(static_cast<Index>(i) + 1)));
+    const Point2 side = this->At(static_cast<Index>(i) + 1) - this->Polygon[i];
+    this->Lengths.push_back(std::sqrt(Dot(side, side)));
   }
   this->Length = std::accumulate(this->Lengths.begin(), this->Lengths.end(), 0.0);
-  const double width = this->Share * 2.0 * std::abs(area) / this->Length;
+  this->Inserted.clear();
+}
+
+/// Whether there are bridges; notes what has to be inserted.
+bool BridgeWelder::FindBridges()
+{
+  const double width = this->Share * 2.0 * std::abs(this->Area) / this->Length;
   const std::vector<Index> sides = this->FindLongSides();
-  this->Inserted.assign(this->Polygon.size(), {});
-  bool isChanged = false;
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
     for (std::size_t j = 0; j < i; ++j)
@@ -152,13 +159,24 @@ std::vector<Point2> BridgeWelder::Weld(Index contour)
       const Index t = isLonger ? sides[j] : sides[i];
       if (this->IsBridge(s, t, width))
       {
+        this->Inserted.resize(this->Polygon.size());
         this->WeldSides(s, t);
-        isChanged = true;
       }
     }
   }
+  return !this->Inserted.empty();
+}
+
+std::vector<Point2> BridgeWelder::Weld(Index contour)
+{
+  this->Area = 0.5 * TwiceSignedArea(this->Set, contour);
+  this->Read(contour);
+  if (!this->FindBridges())
+  {
+    return {};
+  }
   std::vector<Point2> welded;
-  for (std::size_t i = 0; i < this->Polygon.size() && isChanged; ++i)
+  for (std::size_t i = 0; i < this->Polygon.size(); ++i)
   {
     welded.push_back(this->Polygon[i]);
     std::sort(this->Inserted[i].begin(), this->Inserted[i].end());
@@ -170,7 +188,7 @@ std::vector<Point2> BridgeWelder::Weld(Index contour)
       }
     }
   }
-  if (area < 0.0)
+  if (this->Area < 0.0)
   {
     std::reverse(welded.begin(), welded.end());
   }

@@ -4,77 +4,22 @@
 
 #include "Core/Base/Predicates.h"
 #include "Core/Base/Vectors.h"
+#include "Core/Planar/NodeFinder.h"
 #include "Core/Planar/SegmentTree.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <unordered_map>
 
 namespace orthoslices
 {
 namespace
 {
-constexpr Index None = -1;
+constexpr Index None = NodeFinder::None;
 /// Rounds after which the resolution becomes sixteen times coarser. Two or three do nearly always.
 constexpr int RoundsOfOneResolution = 12;
 constexpr int MaxCoarsenings = 6;
-
-/// Finds nodes by their place.
-class NodeFinder
-{
-public:
-  NodeFinder(const std::vector<Point2>& nodes, double resolution)
-    : Nodes(nodes)
-    , CellSize(4.0 * resolution)
-  {
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-    {
-      this->Add(static_cast<Index>(i));
-    }
-  }
-
-  void Add(Index node) { this->Cells[this->KeyOf(this->Nodes[node], 0, 0)].push_back(node); }
-
-  /// The node at most `distance` (up to the size of a cell) away that is nearest; None if there is
-  /// none.
-  Index Nearest(const Point2& place, double distance) const
-  {
-    Index best = None;
-    double least = distance;
-    for (int i = -1; i <= 1; ++i)
-    {
-      for (int j = -1; j <= 1; ++j)
-      {
-        const auto cell = this->Cells.find(this->KeyOf(place, i, j));
-        for (std::size_t k = 0; cell != this->Cells.end() && k < cell->second.size(); ++k)
-        {
-          const double d = Distance(place, this->Nodes[cell->second[k]]);
-          if (d < least || (d == least && (best == None || cell->second[k] < best)))
-          {
-            best = cell->second[k];
-            least = d;
-          }
-        }
-      }
-    }
-    return best;
-  }
-
-private:
-  std::uint64_t KeyOf(const Point2& place, int i, int j) const
-  {
-    const auto u = static_cast<std::int64_t>(std::floor(place[0] / this->CellSize)) + i;
-    const auto v = static_cast<std::int64_t>(std::floor(place[1] / this->CellSize)) + j;
-    // Cells that share a key cost time only.
-    return static_cast<std::uint64_t>(u) * 0x9e3779b97f4a7c15ull + static_cast<std::uint64_t>(v);
-  }
-
-  const std::vector<Point2>& Nodes;
-  double CellSize;
-  std::unordered_map<std::uint64_t, std::vector<Index>> Cells;
-};
 
 /// The greatest extent, and the largest coordinate, of points.
 std::array<double, 2> MeasurePoints(const std::vector<Point2>& points)

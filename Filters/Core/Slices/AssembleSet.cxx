@@ -14,6 +14,10 @@ namespace orthoslices
 {
 namespace
 {
+/// A piece whose ends are near to each other may have run past its start by this share of its length. If
+/// it crosses itself farther from its ends, it is a figure eight, and both parts of it count.
+constexpr double OverrunOfComplete = 0.15;
+
 /// Makes contours of the pieces of one axis.
 class SetAssembler
 {
@@ -255,7 +259,9 @@ bool SetAssembler::TreatOpen(const PieceChains& chains, Index chain, OpenCurve& 
     {
       return false;
     }
-    if (TrimOverrun(curve) || !isComplete)
+    const double length = curve.Length();
+    const bool isTrimmed = TrimOverrun(curve);
+    if (!isComplete || (isTrimmed && curve.Trimmed <= OverrunOfComplete * length))
     {
       this->ReportShift(chains, chain);
       return true;

@@ -3,6 +3,7 @@
 #include "Core/Sparse/RaiseEnds.h"
 
 #include "Core/Graph/CycleGeometry.h"
+#include "Core/Patches/CentralPoints.h"
 
 #include <algorithm>
 #include <limits>
@@ -30,15 +31,15 @@ private:
   std::vector<Index> ListLoops(Index patch) const;
   Index SideOf(Index patch, Index loop) const;
   EndKind CombineKinds(Index patch, const std::vector<Index>& loops);
-  LoopEnd& EndOf(Index patch, Index loop) { return this->Ends[2 * loop + this->SideOf(patch, loop)]; }
+  LoopEnd& EndOf(Index patch, Index loop)
+  {
+    return this->Ends[2 * loop + this->SideOf(patch, loop)];
+  }
   void CombineAnchors(Index patch, const std::vector<Index>& loops);
   void Raise(Index patch, const std::vector<Index>& loops);
   void AddWall(Index patch, Index loop, Index rim);
   void MoveInner(Index patch, double level);
-  double LevelOf(Index loop) const
-  {
-    return this->Graph.PointAt(this->Graph.FirstPoint(this->Graph.Arcs + loop))[this->Axis];
-  }
+  double LevelOf(Index patch, Index loop) const;
   bool IsFlat(Index patch) const;
   std::array<double, 2> FindMeanHeights() const;
   void AssumeRim(Index patch, const std::vector<Index>& loops, double height);
@@ -134,6 +135,15 @@ void EndRaiser::CombineAnchors(Index patch, const std::vector<Index>& loops)
   }
 }
 
+/// Where a flat end lies: in the slice, but on the patch's side of it, so that sections of the surface
+/// do not begin in the slice itself.
+double EndRaiser::LevelOf(Index patch, Index loop) const
+{
+  const SpatialGrid& grid = this->Geometry.Grid;
+  return grid.MoveInside(this->Axis, this->Geometry.Cycles.Cell[patch][this->Axis],
+    grid.Planes[this->Axis][this->Graph.Loops[loop].Plane], CentralPointMargin);
+}
+
 /// Points of a patch that are not on loops move to a level.
 void EndRaiser::MoveInner(Index patch, double level)
 {
@@ -178,8 +188,8 @@ void EndRaiser::Raise(Index patch, const std::vector<Index>& loops)
   for (const Index loop : loops)
   {
     rims.push_back(static_cast<Index>(this->Draft.Points.size()));
-    const std::vector<Point3> rim = PlaceRim(
-      this->Graph, loop, this->SideOf(patch, loop) == 0 ? -1.0 : 1.0, this->EndOf(patch, loop).Anchors);
+    const std::vector<Point3> rim = PlaceRim(this->Graph, loop,
+      this->SideOf(patch, loop) == 0 ? -1.0 : 1.0, this->EndOf(patch, loop).Anchors);
     this->Draft.Points.insert(this->Draft.Points.end(), rim.begin(), rim.end());
     this->AddWall(patch, loop, rims.back());
     for (const Point3& point : rim)
@@ -267,8 +277,8 @@ StackEnds EndRaiser::Run(GuideCurves& guides)
   for (Index patch = 0; patch < patches; ++patch)
   {
     const std::vector<Index> loops = this->ListLoops(patch);
-    if (!loops.empty() && this->CombineKinds(patch, loops) == EndKind::Unknown &&
-      this->IsFlat(patch))
+    if (!loops.empty() && !guides.Slices.empty() &&
+      this->CombineKinds(patch, loops) == EndKind::Unknown && this->IsFlat(patch))
     {
       this->AssumeRim(patch, loops, heights[this->SideOf(patch, loops.front())]);
     }
@@ -280,7 +290,7 @@ StackEnds EndRaiser::Run(GuideCurves& guides)
     }
     else if (kind == EndKind::Flat)
     {
-      this->MoveInner(patch, this->LevelOf(loops.front()));
+      this->MoveInner(patch, this->LevelOf(patch, loops.front()));
     }
   }
   CutAtRims(this->Graph, this->Ends, guides);

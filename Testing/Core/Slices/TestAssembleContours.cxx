@@ -408,6 +408,21 @@ TEST(AssembleContours, LoopsWithZeroSignedAreaAreNotFlat)
 }
 
 //----------------------------------------------------------------------------
+TEST(AssembleContours, FigureEightsThatDoNotRepeatTheirFirstPointAreNoOverruns)
+{
+  const Assembled result = Mend("z=0 open: 0,0 2,2 2,0 0,2; z=1 open: 0,0 2,2 2,0 0,2");
+  ASSERT_EQ(result.Set.Count(), 2);
+  EXPECT_EQ(result.Set.Size(0), 4);
+  EXPECT_TRUE(result.Problems.empty());
+  // A square that runs on by a tenth of its sides is one.
+  const Assembled square = Mend("z=0 open: 0,0 2,0 2,2 0,2 0,-0.2; z=1 open: 0,0 2,0 2,2 0,2");
+  EXPECT_EQ(square.Set.Count(), 2);
+  EXPECT_EQ(square.Set.Size(1), 4);
+  ASSERT_EQ(square.Problems.size(), 1u);
+  EXPECT_EQ(square.Problems[0].Kind, ProblemKind::OverrunTrimmed);
+}
+
+//----------------------------------------------------------------------------
 TEST(AssembleContours, VerticesBesideTheirPlaneAreMovedAndReported)
 {
   const Assembled result =

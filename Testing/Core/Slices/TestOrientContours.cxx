@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Slices/OrientContours.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/Slices/SpatialGrid.h"
 #include "Support/Random.h"
 #include "Support/TextContours.h"

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Loops/SlightMeetings.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace orthoslices
+{
+namespace
+{
+/// What noise leaves in all lobes of a contour together, by its area without them, is less than that.
+constexpr double MostInLobes = 0.25;
+
+/// Whether a walk surrounds most once and in one direction, and the rest in little lobes.
+bool AreWalksPlain(const LoopWindings& windings)
+{
+  const PlaneFaces& graph = windings.GetGraph();
+  struct Sums
+  {
+    Index Parts = 0;
+    double All = 0.0;
+    std::array<double, 2> Once{}; ///< clockwise and counter-clockwise
+    std::array<double, 2> Lobe{}; ///< the largest face that is not surrounded once so
+  };
+  std::vector<Sums> sums(windings.CountWalks());
+  for (Index part = 0; part < windings.CountParts(); ++part)
+  {
+    Sums& sum = sums[windings.WalkOf(part)];
+    sum.Parts += windings.AreaOf(part) > 0.0 ? 1 : 0;
+    sum.All += windings.AreaOf(part);
+  }
+  for (Index face = 0; face < graph.CountFaces(); ++face)
+  {
+    const double area = windings.AreaOfFace(face);
+    for (const LoopWindings::Layer& layer : windings.LayersOf(face))
+    {
+      Sums& sum = sums[windings.WalkOf(layer.Part)];
+      for (const int turn : { 0, 1 })
+      {
+        const bool isOnce = layer.Winding == 2 * turn - 1;
+        const bool isAtHome = windings.IsAtHome(layer.Part, face);
+        sum.Once[turn] += isAtHome && isOnce ? area : 0.0;
+        sum.Lobe[turn] = std::max(sum.Lobe[turn], isAtHome && !isOnce ? area : 0.0);
+      }
+    }
+  }
+  return std::all_of(sums.begin(), sums.end(),
+    [](const Sums& sum)
+    {
+      const int main = sum.Once[1] >= sum.Once[0] ? 1 : 0;
+      return sum.Parts < 2 && sum.Lobe[main] <= LittleShare * sum.Once[main] &&
+        sum.All <= (1.0 + MostInLobes) * sum.Once[main];
+    });
+}
+
+/// Whether no walks run along each other for more than a little.
+bool AreWalksApart(const LoopWindings& windings)
+{
+  const PlaneFaces& graph = windings.GetGraph();
+  std::vector<double> length(windings.CountWalks(), 0.0), common(length);
+  for (Index edge = 0; edge < graph.CountHalfEdges() / 2; ++edge)
+  {
+    const Index first = graph.FirstPassage(edge), end = graph.EndOfPassages(edge);
+    for (Index i = first; i < end; ++i)
+    {
+      const Index walk = graph.PassageAt(i).Walk;
+      length[walk] += windings.LengthOf(edge);
+      common[walk] += end - first > 1 ? windings.LengthOf(edge) : 0.0;
+    }
+  }
+  for (std::size_t walk = 0; walk < length.size(); ++walk)
+  {
+    if (common[walk] > LittleShare * length[walk])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
+
+bool AreMeetingsSlight(const LoopWindings& windings)
+{
+  const PlaneFaces& graph = windings.GetGraph();
+  if (!AreWalksPlain(windings) || !AreWalksApart(windings))
+  {
+    return false;
+  }
+  std::map<std::pair<Index, Index>, double> common;
+  for (Index face = 0; face < graph.CountFaces(); ++face)
+  {
+    const LoopWindings::Layers& layers = windings.LayersOf(face);
+    for (std::size_t i = 0; i < layers.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i && windings.IsAtHome(layers[i].Part, face); ++j)
+      {
+        if (windings.IsAtHome(layers[j].Part, face))
+        {
+          common[{ layers[j].Part, layers[i].Part }] += windings.AreaOfFace(face);
+        }
+      }
+    }
+  }
+  for (const auto& entry : common)
+  {
+    const double a = windings.AreaOf(entry.first.first);
+    const double b = windings.AreaOf(entry.first.second);
+    const double little = LittleShare * std::min(a, b);
+    const bool isIn = a - entry.second <= little || b - entry.second <= little;
+    const bool isSame = a - entry.second <= little && b - entry.second <= little;
+    if (entry.second > little && (!isIn || isSame))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesSlightMeetings_h
+#define OrthoSlicesSlightMeetings_h
+
+#include "Core/Loops/LoopWindings.h"
+
+namespace orthoslices
+{
+/**
+ * Whether loops meet as noise makes them meet. What a loop surrounds several times or in the other
+ * direction than most is in faces of at most 2 % of the rest, and less than a quarter of it in all;
+ * no loop has several parts. Of two loops at most 2 % of the smaller one is common to both, or in
+ * only one of them, and no more of a loop's length is on another one.
+ */
+bool AreMeetingsSlight(const LoopWindings& windings);
+}
+
+#endif
