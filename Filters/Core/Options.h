@@ -9,7 +9,7 @@
 #include "Core/Loops/LoopRule.h"
 #include "Core/Patches/CentralPoints.h"
 #include "Core/Patches/InnerPatches.h"
-#include "Core/Slices/ImageBorder.h"
+#include "Core/Pieces/ImageBorder.h"
 #include "Core/Slices/OrientContours.h"
 
 namespace orthoslices

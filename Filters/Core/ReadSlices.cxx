@@ -6,7 +6,7 @@
 #include "Core/Loops/RedrawnContours.h"
 #include "Core/Loops/ResolveLoops.h"
 #include "Core/Loops/WeldBridges.h"
-#include "Core/Slices/AssembleContours.h"
+#include "Core/Pieces/AssembleContours.h"
 #include "Core/Slices/SmoothContours.h"
 #include "Core/Sparse/MissingContours.h"
 
@@ -17,7 +17,8 @@ namespace orthoslices
 namespace
 {
 /// How far vertices of a single slice may be off their plane, as a share of the diagonal of all
-/// contours: that no other slice is meant is certain, and a contour that leaves its plane by more is bent.
+/// contours: that no other slice is meant is certain, and a contour that leaves its plane by more
+/// is bent.
 constexpr double AloneTolerance = 1e-2;
 
 /// Diagonal of the bounding box of all finite coordinates of the input, without virtual pieces.
@@ -79,8 +80,8 @@ bool ReadContours(std::array<Pieces, 3>&& pieces, Pass& pass)
   return pass.GoOn(0.15);
 }
 
-/// Contours that are drawn twice count once, and those that cross bound what a rule says. Returns the
-/// number of the first contour that has its interior on the left already.
+/// Contours that are drawn twice count once, and those that cross bound what a rule says. Returns
+/// the number of the first contour that has its interior on the left already.
 Index SettleLoops(Pass& pass)
 {
   const Options& options = pass.Settings;

@@ -72,6 +72,7 @@ TEST(Reconstruct, RefusesWithTheListOfProblems)
   const std::string text = Octahedron() + "; z=0: 5,5 6,6 6,5 5,6; x=0: 5,5 nan,6 6,6";
   Options strict;
   strict.Invalid = InvalidContours::Refuse;
+  strict.Crossing = CrossingContours::Refuse;
   const Reconstruction refused = RunCore(text, strict);
   EXPECT_TRUE(refused.Refused);
   EXPECT_EQ(refused.Cycles.Count(), 0);
@@ -79,9 +80,10 @@ TEST(Reconstruct, RefusesWithTheListOfProblems)
   ASSERT_EQ(refused.Invalid.size(), 1u);
   EXPECT_EQ(refused.Invalid[0].Kind, ProblemKind::NotFinite);
   EXPECT_EQ(refused.Invalid[0].Port, 0);
-  ASSERT_EQ(refused.CrossingProblems.size(), 1u);
-  EXPECT_EQ(refused.CrossingProblems[0].Kind, ProblemKind::CrossesItself);
-  EXPECT_EQ(refused.CrossingProblems[0].Port, 2);
+  EXPECT_TRUE(refused.CrossingProblems.empty());
+  ASSERT_EQ(refused.Mended.size(), 1u);
+  EXPECT_EQ(refused.Mended[0].Kind, ProblemKind::LoopSplit);
+  EXPECT_EQ(refused.Mended[0].Port, 2);
   for (const auto crossing : { CrossingContours::Repair, CrossingContours::LeaveOut })
   {
     Options options;
@@ -90,8 +92,11 @@ TEST(Reconstruct, RefusesWithTheListOfProblems)
     const Reconstruction kept = RunCore(text, options);
     EXPECT_FALSE(kept.Refused);
     EXPECT_EQ(kept.Invalid.size(), 1u);
-    EXPECT_EQ(kept.CrossingProblems.size(), 1u);
-    EXPECT_EQ(kept.Cycles.Count(), 8);
+    // Both lobes are parts of the surface, or there is neither of them.
+    const bool isRepaired = crossing == CrossingContours::Repair;
+    EXPECT_EQ(kept.CrossingProblems.size(), isRepaired ? 0u : 1u);
+    EXPECT_EQ(kept.Mended.size(), isRepaired ? 1u : 0u);
+    EXPECT_EQ(kept.Cycles.Count(), isRepaired ? 12 : 8);
     options.Crossing = CrossingContours::Refuse;
     EXPECT_TRUE(RunCore(text, options).Refused);
   }

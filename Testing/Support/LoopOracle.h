@@ -36,9 +36,9 @@ struct FacePoint
   double Area;
 };
 
-/// A point in each trapezoid that all segments and the parallels to v through their ends and crossings
-/// leave: so one, at least, in each face. Trapezoids narrower than `least` are left out, and points
-/// closer than that to a segment.
+/// A point in each trapezoid that all segments and the parallels to v through their ends and
+/// crossings leave: so one, at least, in each face. Trapezoids narrower than `least` are left out,
+/// and points closer than that to a segment.
 std::vector<FacePoint> PointsInAllFaces(const std::vector<Polygon>& polygons, double least);
 
 /// Length on which a polygon runs along another one, or along itself.

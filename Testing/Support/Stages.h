@@ -10,7 +10,7 @@
 
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Reconstruct.h"
-#include "Core/Slices/AssembleContours.h"
+#include "Core/Pieces/AssembleContours.h"
 #include "Support/CheckSurface.h"
 #include "Support/RandomInput.h"
 #include "Support/TextContours.h"

@@ -112,6 +112,7 @@ public:
       axes.push_back(
         static_cast<std::int8_t>(exact != NoAxis ? exact : this->FindNearestAxis(group)));
     }
+    this->PreferAxisOfPort(axes);
     this->SetAxes(axes);
   }
 
@@ -129,6 +130,36 @@ private:
       for (const Index line : this->Groups[i].Members)
       {
         this->AxisOf[line] = axes[i];
+      }
+    }
+  }
+
+  /// A contour that is no larger than the noise would lie on planes of any family: it belongs to that of
+  /// nearly all others of its port, if there is one.
+  void PreferAxisOfPort(std::vector<std::int8_t>& axes) const
+  {
+    constexpr double nearlyAll = 0.9;
+    std::array<std::array<double, 3>, 4> weights{};
+    std::array<double, 4> sums{};
+    for (std::size_t i = 0; i < axes.size(); ++i)
+    {
+      const PieceGroup& group = this->Groups[i];
+      sums[group.Port] += group.Weight();
+      if (axes[i] != NoAxis)
+      {
+        weights[group.Port][axes[i]] += group.Weight();
+      }
+    }
+    for (std::size_t i = 0; i < axes.size(); ++i)
+    {
+      const PieceGroup& group = this->Groups[i];
+      const auto& ofPort = weights[group.Port];
+      const auto axis = std::max_element(ofPort.begin(), ofPort.end()) - ofPort.begin();
+      const Point3& normal = this->Axes.Frame.Normal(static_cast<int>(axis));
+      if (ofPort[axis] >= nearlyAll * sums[group.Port] && group.IsFinite() &&
+        this->Noise.IsExplained(group, normal))
+      {
+        axes[i] = static_cast<std::int8_t>(axis);
       }
     }
   }

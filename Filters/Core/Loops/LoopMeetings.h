@@ -17,9 +17,9 @@ struct LoopMeeting
 };
 
 /**
- * The meetings of the contours of one slice, decided exactly. Contours that touch in a point without
- * crossing there do not count, and a contour that turns back along itself meets itself. Of two
- * contours, or one and itself, the first meeting that is found is listed.
+ * The meetings of the contours of one slice, decided exactly. Contours that touch in a point
+ * without crossing there do not count, and a contour that turns back along itself meets itself. Of
+ * two contours, or one and itself, the first meeting that is found is listed.
  */
 std::vector<LoopMeeting> FindLoopMeetings(
   const Contours& contours, const std::vector<Index>& members);

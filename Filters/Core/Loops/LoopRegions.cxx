@@ -28,8 +28,8 @@ bool LoopRegions::Contains(Index outer, Index inner) const
   return std::binary_search(containers.begin(), containers.end(), outer);
 }
 
-/// A part is contained in those that surround all of its area but for a little; but not two parts in
-/// each other.
+/// A part is contained in those that surround all of its area but for a little; but not two parts
+/// in each other.
 void LoopRegions::FindContainers()
 {
   std::map<std::pair<Index, Index>, double> common;

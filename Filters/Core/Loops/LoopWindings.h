@@ -9,15 +9,16 @@
 
 namespace orthoslices
 {
-/// The share of an area, or of a length, that does not count: noise makes contours cross by about that.
+/// The share of an area, or of a length, that does not count: noise makes contours cross by about
+/// that.
 constexpr double LittleShare = 0.02;
 
 /**
  * How often the loops of a slice run around each face of the plane graph that they make.
  *
  * The sides that a walk passes as often in one direction as in the other bound nothing: they are
- * bridges. What is left of a walk without them are its *parts*, each connected. A part *surrounds* the
- * faces that its winding number is not zero for.
+ * bridges. What is left of a walk without them are its *parts*, each connected. A part *surrounds*
+ * the faces that its winding number is not zero for.
  */
 class LoopWindings
 {

@@ -14,15 +14,15 @@ namespace
 {
 /// How far from the node a corner is cut off at most, as a share of the extent of the smallest loop
 /// there: too little to be seen, and far more than rounding.
-constexpr double MaxCut = 1.0 / 512.0;
+constexpr double MaxCut = 1.0 / 256.0;
 
 /// A loop on its way through a node.
 struct Passing
 {
   Index Loop, Place; ///< of the half-edge that ends in the node
   Index From, To;    ///< the half-edges that leave the node back and forth along the loop
-  /// The side on which the loop turns by less than 180 degrees, as a range of the half-edges that leave
-  /// the node, counter-clockwise: from after Begin to before End.
+  /// The side on which the loop turns by less than 180 degrees, as a range of the half-edges that
+  /// leave the node, counter-clockwise: from after Begin to before End.
   std::size_t Begin, End;
   bool IsStraight;
   Index Depth; ///< in how many such ranges of others it lies

@@ -101,7 +101,8 @@ bool RepetitionFinder::IsCopy(Index a, Index b) const
   return forward || backward;
 }
 
-/// The greatest distance of the vertices of one contour from another; more than the limit if one is.
+/// The greatest distance of the vertices of one contour from another; more than the limit if one
+/// is.
 double RepetitionFinder::FarthestFrom(Index a, Index b, double limit) const
 {
   double farthest = 0.0;

@@ -15,14 +15,14 @@ namespace orthoslices
  *
  * Copies pass the same vertices, from whatever start and in whichever direction. Contours that were
  * drawn once more run beside, within or across the first one, closer than `share` of its thickness
- * everywhere, in both directions, where the thickness is twice the area by the length: the radius of a
- * circle, the width of a long strip. With a share of 0 only copies are removed.
+ * everywhere, in both directions, where the thickness is twice the area by the length: the radius
+ * of a circle, the width of a long strip. With a share of 0 only copies are removed.
  *
- * A thin wall looks the same. What tells it is that slices across it have both of its sides, too: about
- * as many crossings with the slice beside the two contours as these have with those slices. Without
- * any slices across, it is a wall if its two contours run in opposite directions, as those of a cut solid
- * do, and those of a neighbouring slice do so, too. `directionsCount`: those in opposite directions always
- * are a wall. Virtual contours do not count.
+ * A thin wall looks the same. What tells it is that slices across it have both of its sides, too:
+ * about as many crossings with the slice beside the two contours as these have with those slices.
+ * Without any slices across, it is a wall if its two contours run in opposite directions, as those
+ * of a cut solid do, and those of a neighbouring slice do so, too. `directionsCount`: those in
+ * opposite directions always are a wall. Virtual contours do not count.
  */
 void RemoveRedrawn(double share, bool directionsCount, const Execution& execution,
   Contours& contours, std::vector<Problem>& mended);

@@ -19,8 +19,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Loops that are thinner (twice their area by their length), as a share of the extent of their slice,
-/// are what rounding leaves between contours that should run along each other.
+/// Loops that are thinner (twice their area by their length), as a share of the extent of their
+/// slice, are what rounding leaves between contours that should run along each other.
 constexpr double LeastThickness = 1e-4;
 
 /// Where the interior is.
@@ -66,7 +66,8 @@ private:
   const std::vector<Index>& Members;
   std::vector<std::vector<Point2>> Polygons;
   double Extent = 0.0;
-  /// Of each walk: whether it is a simple polygon that no other one meets, with the polygon's corners.
+  /// Of each walk: whether it is a simple polygon that no other one meets, with the polygon's
+  /// corners.
   std::vector<std::uint8_t> IsLone;
   ResolvedSlice Result;
 };

@@ -10,7 +10,8 @@ namespace orthoslices
 {
 namespace
 {
-/// What noise leaves in all lobes of a contour together, by its area without them, is less than that.
+/// What noise leaves in all lobes of a contour together, by its area without them, is less than
+/// that.
 constexpr double MostInLobes = 0.25;
 
 /// Whether a walk surrounds most once and in one direction, and the rest in little lobes.

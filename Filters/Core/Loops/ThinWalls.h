@@ -19,7 +19,8 @@ struct Repetition
   bool IsOpposite; ///< they run in opposite directions
 };
 
-/// Which of the repetitions are the two sides of thin walls instead; see RemoveRedrawn. Copies are not.
+/// Which of the repetitions are the two sides of thin walls instead; see RemoveRedrawn. Copies are
+/// not.
 std::vector<std::uint8_t> FindWalls(
   const Contours& contours, const std::vector<Repetition>& repetitions, const Execution& execution);
 

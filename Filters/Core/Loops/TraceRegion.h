@@ -20,10 +20,10 @@ struct TracedLoop
 
 /**
  * The border of what is inside, 1 for each face, as loops with the interior on their left. They are
- * simple polygons that neither cross nor touch: where several of them, or one several times, pass
- * a node, outlines part from each other, and holes from the outline. Corners there are cut off, each
- * at a distance of its own, by a quarter of what there is room for, and by 1 / 512 of the loop's extent
- * at most.
+ * simple polygons that neither cross nor touch: where several of them, or one several times, pass a
+ * node, outlines part from each other, and holes from the outline. Corners there are cut off, each
+ * at a distance of its own, by a quarter of what there is room for, and by 1 / 256 of the loop's
+ * extent at most.
  */
 std::vector<TracedLoop> TraceRegion(
   const PlaneWalks& walks, const PlaneFaces& faces, const std::vector<std::uint8_t>& inside);

@@ -16,10 +16,10 @@ namespace
 {
 /// How long a bridge is at least, and how thick the hole behind it, in widths of the bridge.
 constexpr double LeastLength = 5.0;
-/// Contours of up to so many sides are drawn by corners: any of the sides may be that of a bridge.
-constexpr Index FewSides = 64;
-/// Else it is longer than so many mean sides.
-constexpr double LongSide = 4.0;
+/// So many of the longest sides may be those of bridges; of a contour with more sides, those that
+/// are longer than so many mean ones.
+constexpr std::size_t MostSides = 64;
+constexpr double LongSide = 2.0;
 
 Point2 NearestOn(const Point2& p, const Point2& q, const Point2& x)
 {
@@ -61,15 +61,21 @@ private:
 
 std::vector<Index> BridgeWelder::FindLongSides() const
 {
-  const Index count = static_cast<Index>(this->Lengths.size());
-  const double least = count <= FewSides ? 0.0 : LongSide * this->Length / count;
+  const std::size_t count = this->Lengths.size();
+  const double least = count <= MostSides ? 0.0 : LongSide * this->Length / count;
   std::vector<Index> sides;
-  for (Index i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
     if (this->Lengths[i] > least)
     {
-      sides.push_back(i);
+      sides.push_back(static_cast<Index>(i));
     }
+  }
+  if (sides.size() > MostSides)
+  {
+    std::stable_sort(sides.begin(), sides.end(),
+      [this](Index a, Index b) { return this->Lengths[a] > this->Lengths[b]; });
+    sides.resize(MostSides);
   }
   return sides;
 }
@@ -85,8 +91,8 @@ bool BridgeWelder::IsBridge(Index s, Index t, double width) const
     this->HasHoleBehind(s, t, distance);
 }
 
-/// Whether what is between the ends of two sides on one way around is a hole, and on the other way the
-/// outline.
+/// Whether what is between the ends of two sides on one way around is a hole, and on the other way
+/// the outline.
 bool BridgeWelder::HasHoleBehind(Index s, Index t, double width) const
 {
   // From the end of the first side to the start of the second, in the order along the contour.

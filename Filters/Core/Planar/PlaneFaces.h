@@ -10,9 +10,9 @@
 namespace orthoslices
 {
 /**
- * The plane graph of walks: nodes, edges and the faces between them. Each edge is two half-edges, 2 e
- * and 2 e + 1, which run in opposite directions and each have a face on their left. All is decided
- * exactly. REQUIRES: walks as SplitPolygons leaves them.
+ * The plane graph of walks: nodes, edges and the faces between them. Each edge is two half-edges, 2
+ * e and 2 e + 1, which run in opposite directions and each have a face on their left. All is
+ * decided exactly. REQUIRES: walks as SplitPolygons leaves them.
  */
 class PlaneFaces
 {
@@ -41,8 +41,8 @@ public:
 
   /// The face on the left.
   Index Face(Index halfEdge) const { return this->Faces[halfEdge]; }
-  /// Of the connected parts of the graph, the one around which, or within which, the face lies. Faces
-  /// do not know of other components: each has one unbounded face.
+  /// Of the connected parts of the graph, the one around which, or within which, the face lies.
+  /// Faces do not know of other components: each has one unbounded face.
   Index Component(Index face) const { return this->ComponentOfFace[face]; }
   Index OuterFace(Index component) const { return this->OuterFaces[component]; }
   Index ComponentOfNode(Index node) const { return this->ComponentAt[node]; }

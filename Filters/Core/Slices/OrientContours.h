@@ -21,9 +21,9 @@ enum class Orientation
  * Checks and orients the contours of every slice (section 3 of the paper: interior on the left).
  *
  * With `removeCrossing`, contours that cross themselves, or another one of their slice (of two that
- * cross, the one with the smaller area), are reported and removed. Contours may touch. With ByNesting,
- * contours are reversed where needed. Contours from `firstSettled` on stay as they are; see
- * ResolveLoops.
+ * cross, the one with the smaller area), are reported and removed. Contours may touch. With
+ * ByNesting, contours are reversed where needed. Contours from `firstSettled` on stay as they are;
+ * see ResolveLoops.
  */
 void OrientContours(Orientation orientation, bool removeCrossing, Index firstSettled,
   const Execution& execution, Contours& contours, std::vector<Problem>& crossing);

@@ -322,6 +322,23 @@ TEST(SortByPlanes, TrianglesBesideTheirPlanesMakeNoFrame)
 }
 
 //----------------------------------------------------------------------------
+TEST(SortByPlanes, ContoursSmallerThanTheNoiseStayWithTheirPort)
+{
+  for (const double angle : { 0.0, 0.4 })
+  {
+    Polylines lines = MapSlices(TorusSlices(), RotationAround({ 1.0, 2.0, -1.0 }, angle));
+    AddNoise(2e-3 * DiagonalOf(lines), lines);
+    // A tip, seen edge on for all that the noise says.
+    Polylines tip = Circle({ 0.1, 0.2, 0.3 }, { 1.0, 0.1, 0.0 }, 1e-3 * DiagonalOf(lines), 8);
+    tip.From.Port[0] = 2;
+    Append(tip, lines);
+    const SortedSlices sorted = SortByPlanes(lines, FrameOptions());
+    EXPECT_EQ(sorted.Frame.IsWorld(), angle == 0.0);
+    EXPECT_EQ(sorted.Slices[2].Count(), TorusSlices()[2].Count() + 1);
+  }
+}
+
+//----------------------------------------------------------------------------
 TEST(SortByPlanes, OneBadContourStaysInItsPort)
 {
   PieceSets sets = TorusSlices();

@@ -223,9 +223,10 @@ TEST(ResolveLoops, BridgesWithALittleSpaceBetweenTheirSidesAreTakenOut)
     WeldBridges(0.05, Execution(), contours);
     return Resolve(contours);
   };
-  for (const char* text : { "z=0: 0,0 20,0 20,9.9 14,9.9 14,6 6,6 6,14 14,14 14,10 20,10 20,20 0,20",
-         "z=0: 0,20 20,20 20,10 14,10 14,14 6,14 6,6 14,6 14,9.9 20,9.9 20,0 0,0",
-         "z=0: 0,0 20,0 20,9.9 13.5,10 14,6 6,6 6,14 14,14 14,10.1 20,10 20,20 0,20" })
+  for (const char* text :
+    { "z=0: 0,0 20,0 20,9.9 14,9.9 14,6 6,6 6,14 14,14 14,10 20,10 20,20 0,20",
+      "z=0: 0,20 20,20 20,10 14,10 14,14 6,14 6,6 14,6 14,9.9 20,9.9 20,0 0,0",
+      "z=0: 0,0 20,0 20,9.9 13.5,10 14,6 6,6 6,14 14,14 14,10.1 20,10 20,20 0,20" })
   {
     SCOPED_TRACE(text);
     const Resolved keyhole = weld(text);
@@ -258,8 +259,10 @@ TEST(ResolveLoops, NoiseThatMakesContoursCrossALittleIsLeftAlone)
     EXPECT_LE(result.Mended[0].Kind, ProblemKind::CrossesOther);
   }
   // With a real overlap on the slice the hole stays one.
-  EXPECT_NEAR(Resolve("z=0: 0,0 9,0 9,9 0,9; z=0: 3,0.5 3.2,-0.1 3.4,0.5 6,0.5 6,6 3,6; z=0: 8,1 12,1 12,8 8,8")
-                .Area(),
+  EXPECT_NEAR(
+    Resolve(
+      "z=0: 0,0 9,0 9,9 0,9; z=0: 3,0.5 3.2,-0.1 3.4,0.5 6,0.5 6,6 3,6; z=0: 8,1 12,1 12,8 8,8")
+      .Area(),
     81.0 - 16.6 + 21.0, 0.2);
 }
 

@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesAssembleSet_h
 #define OrthoSlicesAssembleSet_h
 
-#include "Core/Slices/AssembleContours.h"
-#include "Core/Slices/OpenCurve.h"
+#include "Core/Pieces/AssembleContours.h"
+#include "Core/Pieces/OpenCurve.h"
 
 namespace orthoslices
 {

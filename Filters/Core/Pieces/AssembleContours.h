@@ -5,7 +5,7 @@
 
 #include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
-#include "Core/Slices/ImageBorder.h"
+#include "Core/Pieces/ImageBorder.h"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Slices/MendCurves.h"
+#include "Core/Pieces/MendCurves.h"
 
-#include "Core/Slices/CloseGaps.h"
-#include "Core/Slices/FindBorders.h"
+#include "Core/Pieces/CloseGaps.h"
+#include "Core/Pieces/FindBorders.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #define OrthoSlicesMendCurves_h
 
 #include "Core/Base/Contours.h"
-#include "Core/Slices/ImageBorder.h"
+#include "Core/Pieces/ImageBorder.h"
 
 namespace orthoslices
 {

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesTrimOverrun_h
 #define OrthoSlicesTrimOverrun_h
 
-#include "Core/Slices/OpenCurve.h"
+#include "Core/Pieces/OpenCurve.h"
 
 namespace orthoslices
 {

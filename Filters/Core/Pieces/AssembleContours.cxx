@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Slices/AssembleContours.h"
+#include "Core/Pieces/AssembleContours.h"
 
 #include "Core/Base/EditContours.h"
-#include "Core/Slices/AddLoop.h"
-#include "Core/Slices/AssembleSet.h"
-#include "Core/Slices/MendCurves.h"
+#include "Core/Pieces/AddLoop.h"
+#include "Core/Pieces/AssembleSet.h"
+#include "Core/Pieces/MendCurves.h"
 
 #include <iterator>
 

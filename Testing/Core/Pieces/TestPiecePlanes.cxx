@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Slices/PiecePlanes.h"
+#include "Core/Pieces/PiecePlanes.h"
 
 #include "Support/Random.h"
 #include "Support/TextContours.h"

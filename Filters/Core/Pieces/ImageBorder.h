@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesImageBorder_h
 #define OrthoSlicesImageBorder_h
 
-#include "Core/Slices/OpenCurve.h"
+#include "Core/Pieces/OpenCurve.h"
 
 namespace orthoslices
 {

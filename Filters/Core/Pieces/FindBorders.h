@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesFindBorders_h
 #define OrthoSlicesFindBorders_h
 
-#include "Core/Slices/ImageBorder.h"
+#include "Core/Pieces/ImageBorder.h"
 
 namespace orthoslices
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Slices/AddLoop.h"
+#include "Core/Pieces/AddLoop.h"
 
 #include "Core/Base/Predicates.h"
 #include "Core/Base/Vectors.h"

@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesCloseGaps_h
 #define OrthoSlicesCloseGaps_h
 
-#include "Core/Slices/OpenCurve.h"
+#include "Core/Pieces/OpenCurve.h"
 
 #include <functional>
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Slices/AssembleSet.h"
+#include "Core/Pieces/AssembleSet.h"
 
-#include "Core/Slices/AddLoop.h"
-#include "Core/Slices/JoinPieces.h"
-#include "Core/Slices/PiecePlanes.h"
-#include "Core/Slices/TrimOverrun.h"
+#include "Core/Pieces/AddLoop.h"
+#include "Core/Pieces/JoinPieces.h"
+#include "Core/Pieces/PiecePlanes.h"
+#include "Core/Pieces/TrimOverrun.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Slices/CloseGaps.h"
+#include "Core/Pieces/CloseGaps.h"
 
-#include "Core/Slices/TrimOverrun.h"
+#include "Core/Pieces/TrimOverrun.h"
 
 #include <algorithm>
 #include <cmath>
