@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOrthogonalSliceReconstruction.h"
 
+#include "Bridge/CarryArrays.h"
+#include "Bridge/CarryFieldData.h"
 #include "Bridge/CompareOthers.h"
 #include "Bridge/CutAtBorder.h"
 #include "Bridge/DescribeProblems.h"
@@ -26,6 +28,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkOrthogonalSliceReconstruction);
 
@@ -217,6 +220,7 @@ int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
 int vtkOrthogonalSliceReconstruction::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  orthoslices::ClearFieldData(outputs);
   const int from = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   if (outputs->GetInformationObject(from)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
@@ -245,7 +249,21 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   this->Report(result);
   this->WriteOutputs(std::move(result), doublePrecision, outputs);
   this->CompareOthers(others, outputs);
+  orthoslices::CarryFieldData(
+    this->ListInputs(), vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1));
   return 1;
+}
+
+/// The inputs of all ports; null where there is none.
+std::vector<vtkDataObject*> vtkOrthogonalSliceReconstruction::ListInputs()
+{
+  std::vector<vtkDataObject*> inputs;
+  for (int port = 0; port < InputPorts; ++port)
+  {
+    const bool isConnected = this->GetNumberOfInputConnections(port) > 0;
+    inputs.push_back(isConnected ? this->GetInputDataObject(port, 0) : nullptr);
+  }
+  return inputs;
 }
 
 namespace
@@ -458,7 +476,12 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   orthoslices::WriteUndecidedTable(result, vtkTable::GetData(outputs, 5));
   orthoslices::WriteProblemTable(result, vtkTable::GetData(outputs, 6));
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
-  orthoslices::WriteGraph(result, doublePrecision, vtkPolyData::GetData(outputs, 1));
+  vtkPolyData* graph = vtkPolyData::GetData(outputs, 1);
+  orthoslices::WriteGraph(result, doublePrecision, graph);
+  orthoslices::ArrayCarrier carrier(
+    this->PassCellArrays ? this->ListInputs() : std::vector<vtkDataObject*>(), result);
+  carrier.AddToGraph(result, graph->GetCellData());
+  carrier.ChooseContours(result, orthoslices::ExecuteWithVtk(this));
   this->UpdateProgress(ProgressBeforeSurface);
   const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures };
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
@@ -466,6 +489,7 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
   orthoslices::WriteSurface(std::move(result), orthoslices::ExecuteWithVtk(this), doublePrecision,
     arrays, reportTolerance, surface);
+  carrier.AddToSurface(surface->GetCellData());
   orthoslices::CutAtBorder(openBorder, surface);
   this->UpdateProgress(1.0);
 }
@@ -523,5 +547,6 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReportTolerance: " << this->ReportTolerance << "\n";
   os << indent << "ComputeNormals: " << (this->ComputeNormals ? "On" : "Off") << "\n";
   os << indent << "ComputeCurvatures: " << (this->ComputeCurvatures ? "On" : "Off") << "\n";
+  os << indent << "PassCellArrays: " << (this->PassCellArrays ? "On" : "Off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

@@ -155,6 +155,26 @@
  * where; "Size" (double, world units): distance from the plane, length of the gap, of what was
  * trimmed, added or left out, distance of the two contours, or 0.
  *
+ * What the contours carry is kept (see PassCellArrays). Their cell arrays are on port 1 with the
+ * values of the contour that an arc or isolated contour is a part of, and on port 0 with those of a
+ * contour beside the patch: the one with the longest part of the patch's border, of those whose input
+ * has the array; where nothing around a patch has values (next to virtual slices and inserted
+ * contours), that of the nearest patch that has. Of a contour made of several cells, the values are
+ * those of one of them, as in the table of port 3. Node points, repairs, inserted contours and
+ * virtual slices have no value: NaN in arrays of floating point numbers, 0 in those of integers, an
+ * empty text. So do contours whose input lacks an array that another input has. Arrays of one name
+ * with several types of numbers become one of double; with different numbers of components, or
+ * numbers here and text there, they are left out. An array that is named like one of ours gets "Input"
+ * before its name. "PlaneIndex" and "PlaneCoordinate" of vtkOrthogonalSlicer say nothing of a surface
+ * and are on port 1 only.
+ *
+ * The field data of all inputs and of their blocks are on ports 0 and 1, what several of them have with
+ * the same content once. Arrays of one name whose contents differ get the port before their name ("X",
+ * "Y", "Z" or "Contours"), and if the blocks of one port differ, the flat index of the block as well
+ * ("XBlock2Name"); arrays named like one of ours get "Input". "PlaneCoordinates" of
+ * vtkOrthogonalSlicer are on port 1 only: "XPlaneCoordinates" and so on. All that is done for each time
+ * step anew.
+ *
  * In a parallel run the first process reconstructs the whole surface from the whole input; the
  * outputs of the others are empty.
  *
@@ -188,6 +208,9 @@
 #include "vtkFiltersOrthogonalSlicesModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <vector>
+
+class vtkDataObject;
 class vtkTable;
 
 namespace orthoslices
@@ -636,6 +659,16 @@ public:
 
   ///@{
   /**
+   * Whether the cell arrays of the contours are passed on to the graph and to the surface (see
+   * Outputs). Default on.
+   */
+  vtkSetMacro(PassCellArrays, bool);
+  vtkGetMacro(PassCellArrays, bool);
+  vtkBooleanMacro(PassCellArrays, bool);
+  ///@}
+
+  ///@{
+  /**
    * Precision of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or
    * DEFAULT_PRECISION (default): double if any input has double points, or if the slices do not lie
    * across the axes of the world; single precision may make slivers of triangles touch in that case.
@@ -690,6 +723,7 @@ private:
   void WriteOutputs(
     orthoslices::Reconstruction&& result, bool doublePrecision, vtkInformationVector* outputs);
   void CompareOthers(const orthoslices::Polylines& others, vtkInformationVector* outputs);
+  std::vector<vtkDataObject*> ListInputs();
 
   double PlaneTolerance = 1e-5;
   int Orientation = ORIENT_BY_NESTING;
@@ -720,6 +754,7 @@ private:
   double VirtualSliceSpacing = 0.0;
   bool ComputeNormals = true;
   bool ComputeCurvatures = false;
+  bool PassCellArrays = true;
   int OutputPointsPrecision = DEFAULT_PRECISION;
 };
 
