@@ -10,6 +10,7 @@
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
 #include "Bridge/ReadPieces.h"
+#include "Bridge/TimeSteps.h"
 #include "Bridge/WriteGraph.h"
 #include "Bridge/WriteSurface.h"
 #include "Bridge/WriteTables.h"
@@ -200,6 +201,13 @@ vtkTable* vtkOrthogonalSliceReconstruction::GetProblemTable()
   return vtkTable::SafeDownCast(this->GetOutputDataObject(6));
 }
 
+int vtkOrthogonalSliceReconstruction::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  orthoslices::DeclareTimeSteps(inputs, InputPorts, outputs);
+  return 1;
+}
+
 int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
@@ -221,6 +229,7 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   orthoslices::ClearFieldData(outputs);
+  orthoslices::MarkTime(this->ListInputs(), outputs);
   const int from = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   if (outputs->GetInformationObject(from)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {

@@ -50,8 +50,8 @@ public:
     this->To->SetNumberOfTuples(count);
     if (vtkDataArray::SafeDownCast(from.Values) != nullptr)
     {
-      this->Bytes =
-        static_cast<std::size_t>(from.Values->GetDataTypeSize()) * this->To->GetNumberOfComponents();
+      this->Bytes = static_cast<std::size_t>(from.Values->GetDataTypeSize()) *
+        this->To->GetNumberOfComponents();
       this->Source = static_cast<const char*>(from.Values->GetVoidPointer(0));
       this->Target = static_cast<char*>(this->To->GetVoidPointer(0));
     }

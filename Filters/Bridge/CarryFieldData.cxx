@@ -34,10 +34,7 @@ struct FieldArray
 /// All arrays of one name.
 using SameName = std::vector<FieldArray>;
 
-bool IsSameNumber(double a, double b)
-{
-  return a == b || (std::isnan(a) && std::isnan(b));
-}
+bool IsSameNumber(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 bool IsSame(vtkAbstractArray* a, vtkAbstractArray* b)
 {
@@ -81,7 +78,8 @@ std::vector<SameName> ListArrays(const std::vector<vtkDataObject*>& inputs)
       {
         continue;
       }
-      auto same = std::find_if(names.begin(), names.end(), [&](const SameName& arrays)
+      auto same = std::find_if(names.begin(), names.end(),
+        [&](const SameName& arrays)
         { return std::string(arrays.front().Array->GetName()) == name; });
       same = same == names.end() ? names.insert(same, SameName()) : same;
       same->push_back({ port, block, data->GetAbstractArray(i) });
@@ -94,8 +92,8 @@ std::vector<SameName> ListArrays(const std::vector<vtkDataObject*>& inputs)
     {
       add(number, 0, inputs[port]->GetFieldData());
     }
-    VisitPolyData(inputs[port], [&](vtkPolyData* data, Index block)
-      { add(number, block, data->GetFieldData()); });
+    VisitPolyData(inputs[port],
+      [&](vtkPolyData* data, Index block) { add(number, block, data->GetFieldData()); });
   }
   return names;
 }

@@ -71,10 +71,7 @@ std::vector<std::string> ListNames(const Origins& origins)
   return names;
 }
 
-bool IsNumeric(vtkAbstractArray* array)
-{
-  return vtkDataArray::SafeDownCast(array) != nullptr;
-}
+bool IsNumeric(vtkAbstractArray* array) { return vtkDataArray::SafeDownCast(array) != nullptr; }
 
 /// An empty array that holds the values of all of some arrays, or null if there is none.
 vtkSmartPointer<vtkAbstractArray> NewCommonArray(const std::vector<vtkAbstractArray*>& arrays)
@@ -123,6 +120,21 @@ void FillWithNull(vtkAbstractArray* array)
   }
 }
 
+/// Copies a tuple, also from an array of another type of numbers.
+void CopyTuple(vtkAbstractArray* from, vtkIdType tuple, vtkIdType target, vtkAbstractArray* to)
+{
+  if (from->GetDataType() == to->GetDataType())
+  {
+    to->SetTuple(target, tuple, from);
+    return;
+  }
+  auto* numbers = vtkDataArray::SafeDownCast(from);
+  for (int i = 0; i < from->GetNumberOfComponents(); ++i)
+  {
+    vtkDataArray::SafeDownCast(to)->SetComponent(target, i, numbers->GetComponent(tuple, i));
+  }
+}
+
 /// False if the arrays of that name do not go together.
 bool ReadArray(const Origins& origins, const PolylineSources& from, ContourArray& read)
 {
@@ -145,7 +157,7 @@ bool ReadArray(const Origins& origins, const PolylineSources& from, ContourArray
     vtkAbstractArray* array = arrays[origins.OfLine[line]];
     if (array != nullptr && from.Cell[line] < array->GetNumberOfTuples())
     {
-      read.Values->SetTuple(line, from.Cell[line], array);
+      CopyTuple(array, from.Cell[line], line, read.Values);
       read.Has[line] = 1;
     }
   }

@@ -76,7 +76,7 @@ struct Reconstruction
   Reconciliation Reconciled;   ///< its repairs are moved to Repairs
   std::vector<Repair> Repairs; ///< of all stages, without those of virtual slices
   SliceAgreement Agreement;
-  ContourList Members; ///< of Agreement.OfContour
+  ContourList Members;                  ///< of Agreement.OfContour
   std::vector<std::int64_t> ArcSources; ///< see FindArcSources
   /// The polylines whose numbers ArcSources and Isolated.Source are; empty until ReconstructSorted
   /// names them.

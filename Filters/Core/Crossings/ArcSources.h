@@ -20,8 +20,7 @@ std::int64_t SourceOf(const Contours& contours, Index contour);
  * contours, that of the part with the most vertices. Arcs that reconciliation added have the source
  * of the next arc along their contour that has one. That of arcs that were removed is NoSource.
  */
-std::vector<std::int64_t> FindArcSources(
-  const Contours& contours, const GridCrossings& crossings);
+std::vector<std::int64_t> FindArcSources(const Contours& contours, const GridCrossings& crossings);
 }
 
 #endif
