@@ -3,6 +3,8 @@
 #include "vtkOrthogonalSliceReconstruction.h"
 
 #include "Bridge/AppendLabels.h"
+#include "Bridge/CarryArrays.h"
+#include "Bridge/CarryFieldData.h"
 #include "Bridge/CompareOthers.h"
 #include "Bridge/CutAtBorder.h"
 #include "Bridge/DescribeProblems.h"
@@ -10,6 +12,7 @@
 #include "Bridge/ExecuteWithVtk.h"
 #include "Bridge/ReadLabels.h"
 #include "Bridge/ReadPieces.h"
+#include "Bridge/TimeSteps.h"
 #include "Bridge/WriteComponents.h"
 #include "Bridge/WriteGraph.h"
 #include "Bridge/WriteSurface.h"
@@ -85,11 +88,10 @@ constexpr Choice<orthoslices::VirtualSlices> VirtualSlicesModes[] = {
   { Filter::NO_VIRTUAL_SLICES, orthoslices::VirtualSlices::Off, "Off" },
   { Filter::VIRTUAL_SLICES_BY_SPACING, orthoslices::VirtualSlices::BySpacing, "BySpacing" }
 };
-constexpr Choice<orthoslices::EndCaps> EndCapsModes[] = {
-  { Filter::DOME_ENDS, orthoslices::EndCaps::Dome, "Dome" },
+constexpr Choice<orthoslices::EndCaps> EndCapsModes[] = { { Filter::DOME_ENDS,
+                                                            orthoslices::EndCaps::Dome, "Dome" },
   { Filter::FLAT_ENDS, orthoslices::EndCaps::Flat, "Flat" },
-  { Filter::HALF_SLICE_ENDS, orthoslices::EndCaps::HalfSlice, "HalfSlice" }
-};
+  { Filter::HALF_SLICE_ENDS, orthoslices::EndCaps::HalfSlice, "HalfSlice" } };
 constexpr Choice<orthoslices::SeveralCycles> SeveralCyclesModes[] = {
   { Filter::BY_EVIDENCE, orthoslices::SeveralCycles::ByEvidence, "ByEvidence" },
   { Filter::DISCS, orthoslices::SeveralCycles::Discs, "Discs" }
@@ -130,7 +132,8 @@ constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
 static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
     IsIndexed(BorderContoursModes) && IsIndexed(CrossingContoursModes) && IsIndexed(LoopRules) &&
     IsIndexed(Frames) && IsIndexed(VirtualSlicesModes) && IsIndexed(SeveralCyclesModes) &&
-    IsIndexed(EndCapsModes) && IsIndexed(Correspondences) && IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
+    IsIndexed(EndCapsModes) && IsIndexed(Correspondences) && IsIndexed(PatchTypes) &&
+    IsIndexed(CentralPoints),
   "The setters clamp properties to their first and last value");
 
 /// One for each family, and one for contours of any families.
@@ -214,6 +217,13 @@ vtkTable* vtkOrthogonalSliceReconstruction::GetComponentTable()
   return vtkTable::SafeDownCast(this->GetOutputDataObject(7));
 }
 
+int vtkOrthogonalSliceReconstruction::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  orthoslices::DeclareTimeSteps(inputs, InputPorts, outputs);
+  return 1;
+}
+
 int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
@@ -234,6 +244,8 @@ int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
 int vtkOrthogonalSliceReconstruction::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  orthoslices::ClearFieldData(outputs);
+  orthoslices::MarkTime(this->ListInputs(), outputs);
   const int from = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   if (outputs->GetInformationObject(from)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
@@ -259,6 +271,8 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   {
     done = this->ReconstructAll(std::move(sorted), options, outputs);
   }
+  orthoslices::CarryFieldData(
+    this->ListInputs(), vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1));
   return done ? 1 : 0;
 }
 
@@ -398,6 +412,18 @@ bool vtkOrthogonalSliceReconstruction::ReconstructLabels(orthoslices::SortedSlic
     vtkWarningMacro(<< refused.str() << report.str());
   }
   return true;
+}
+
+/// The inputs of all ports; null where there is none.
+std::vector<vtkDataObject*> vtkOrthogonalSliceReconstruction::ListInputs()
+{
+  std::vector<vtkDataObject*> inputs;
+  for (int port = 0; port < InputPorts; ++port)
+  {
+    const bool isConnected = this->GetNumberOfInputConnections(port) > 0;
+    inputs.push_back(isConnected ? this->GetInputDataObject(port, 0) : nullptr);
+  }
+  return inputs;
 }
 
 namespace
@@ -609,7 +635,12 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   orthoslices::WriteUndecidedTable(result, vtkTable::GetData(outputs, 5));
   orthoslices::WriteProblemTable(result, vtkTable::GetData(outputs, 6));
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
-  orthoslices::WriteGraph(result, doublePrecision, vtkPolyData::GetData(outputs, 1));
+  vtkPolyData* graph = vtkPolyData::GetData(outputs, 1);
+  orthoslices::WriteGraph(result, doublePrecision, graph);
+  orthoslices::ArrayCarrier carrier(
+    this->PassCellArrays ? this->ListInputs() : std::vector<vtkDataObject*>(), result);
+  carrier.AddToGraph(result, graph->GetCellData());
+  carrier.ChooseContours(result, orthoslices::ExecuteWithVtk(this));
   this->UpdateProgress(ProgressBeforeSurface);
   const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures };
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
@@ -617,6 +648,7 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
   orthoslices::WriteSurface(std::move(result), orthoslices::ExecuteWithVtk(this), doublePrecision,
     arrays, reportTolerance, surface);
+  carrier.AddToSurface(surface->GetCellData());
   orthoslices::CutAtBorder(openBorder, surface);
   orthoslices::WriteComponentTable(surface, vtkTable::GetData(outputs, 7));
   this->UpdateProgress(1.0);
@@ -673,5 +705,6 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReportTolerance: " << this->ReportTolerance << "\n";
   os << indent << "ComputeNormals: " << (this->ComputeNormals ? "On" : "Off") << "\n";
   os << indent << "ComputeCurvatures: " << (this->ComputeCurvatures ? "On" : "Off") << "\n";
+  os << indent << "PassCellArrays: " << (this->PassCellArrays ? "On" : "Off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

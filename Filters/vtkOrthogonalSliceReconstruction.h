@@ -179,6 +179,7 @@
  * and makes no contours of it). Contours without a label (of an input that lacks the array, NaN, an
  * empty name) take no part, and a warning counts them. A label whose contours are refused leaves the
  * others as they are; a warning names it. Only if all are refused, this is an error.
+  std::vector<vtkDataObject*> ListInputs();
  *
  * In a parallel run the first process reconstructs the whole surface from the whole input; the
  * outputs of the others are empty.
@@ -215,7 +216,9 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
+class vtkDataObject;
 class vtkTable;
 
 namespace orthoslices
@@ -703,6 +706,16 @@ public:
 
   ///@{
   /**
+   * Whether the cell arrays of the contours are passed on to the graph and to the surface (see
+   * Outputs). Default on.
+   */
+  vtkSetMacro(PassCellArrays, bool);
+  vtkGetMacro(PassCellArrays, bool);
+  vtkBooleanMacro(PassCellArrays, bool);
+  ///@}
+
+  ///@{
+  /**
    * Precision of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or
    * DEFAULT_PRECISION (default): double if any input has double points, or if the slices do not lie
    * across the axes of the world; single precision may make slivers of triangles touch in that case.
@@ -741,6 +754,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -776,6 +790,7 @@ private:
     orthoslices::Reconstruction&& result, bool doublePrecision, vtkInformationVector* outputs);
   std::string CompareOthers(
     const orthoslices::Polylines& others, vtkInformationVector* outputs) const;
+  std::vector<vtkDataObject*> ListInputs();
 
   std::string LabelArray;
   double PlaneTolerance = 1e-5;
@@ -808,6 +823,7 @@ private:
   int EndCaps = DOME_ENDS;
   bool ComputeNormals = true;
   bool ComputeCurvatures = false;
+  bool PassCellArrays = true;
   int OutputPointsPrecision = DEFAULT_PRECISION;
 };
 

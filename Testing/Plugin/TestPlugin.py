@@ -58,6 +58,7 @@ def check_defaults():
         "Smoothing": 0.0,
         "ContourTolerance": 0.0,
         "ComputeCurvatures": 0,
+        "PassCellArrays": 1,
         "CentralPoint": "Least Squares",
         "ComputeNormals": 1,
         "OutputPointsPrecision": "Same as input",
