@@ -2,15 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOrthogonalSliceReconstruction.h"
 
+#include "Bridge/AppendLabels.h"
+#include "Bridge/CarryArrays.h"
+#include "Bridge/CarryFieldData.h"
 #include "Bridge/CompareOthers.h"
 #include "Bridge/CutAtBorder.h"
 #include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
+#include "Bridge/ReadLabels.h"
 #include "Bridge/ReadPieces.h"
+#include "Bridge/TimeSteps.h"
+#include "Bridge/WriteComponents.h"
 #include "Bridge/WriteGraph.h"
 #include "Bridge/WriteSurface.h"
 #include "Bridge/WriteTables.h"
+#include "Core/Frames/SplitByLabel.h"
+#include "Core/Patches/SharedPatches.h"
 #include "Core/ReconstructSorted.h"
 
 #include "vtkExecutive.h"
@@ -25,7 +33,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkOrthogonalSliceReconstruction);
 
@@ -78,11 +88,10 @@ constexpr Choice<orthoslices::VirtualSlices> VirtualSlicesModes[] = {
   { Filter::NO_VIRTUAL_SLICES, orthoslices::VirtualSlices::Off, "Off" },
   { Filter::VIRTUAL_SLICES_BY_SPACING, orthoslices::VirtualSlices::BySpacing, "BySpacing" }
 };
-constexpr Choice<orthoslices::EndCaps> EndCapsModes[] = {
-  { Filter::DOME_ENDS, orthoslices::EndCaps::Dome, "Dome" },
+constexpr Choice<orthoslices::EndCaps> EndCapsModes[] = { { Filter::DOME_ENDS,
+                                                            orthoslices::EndCaps::Dome, "Dome" },
   { Filter::FLAT_ENDS, orthoslices::EndCaps::Flat, "Flat" },
-  { Filter::HALF_SLICE_ENDS, orthoslices::EndCaps::HalfSlice, "HalfSlice" }
-};
+  { Filter::HALF_SLICE_ENDS, orthoslices::EndCaps::HalfSlice, "HalfSlice" } };
 constexpr Choice<orthoslices::SeveralCycles> SeveralCyclesModes[] = {
   { Filter::BY_EVIDENCE, orthoslices::SeveralCycles::ByEvidence, "ByEvidence" },
   { Filter::DISCS, orthoslices::SeveralCycles::Discs, "Discs" }
@@ -123,7 +132,8 @@ constexpr bool IsIndexed(const Choice<Option> (&choices)[Count])
 static_assert(IsIndexed(Orientations) && IsIndexed(InvalidContoursModes) &&
     IsIndexed(BorderContoursModes) && IsIndexed(CrossingContoursModes) && IsIndexed(LoopRules) &&
     IsIndexed(Frames) && IsIndexed(VirtualSlicesModes) && IsIndexed(SeveralCyclesModes) &&
-    IsIndexed(EndCapsModes) && IsIndexed(Correspondences) && IsIndexed(PatchTypes) && IsIndexed(CentralPoints),
+    IsIndexed(EndCapsModes) && IsIndexed(Correspondences) && IsIndexed(PatchTypes) &&
+    IsIndexed(CentralPoints),
   "The setters clamp properties to their first and last value");
 
 /// One for each family, and one for contours of any families.
@@ -139,7 +149,7 @@ constexpr double ProgressBeforeSurface = 0.9;
 vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
 {
   this->SetNumberOfInputPorts(InputPorts);
-  this->SetNumberOfOutputPorts(7);
+  this->SetNumberOfOutputPorts(8);
 }
 
 int vtkOrthogonalSliceReconstruction::FillInputPortInformation(int, vtkInformation* info)
@@ -202,6 +212,18 @@ vtkTable* vtkOrthogonalSliceReconstruction::GetProblemTable()
   return vtkTable::SafeDownCast(this->GetOutputDataObject(6));
 }
 
+vtkTable* vtkOrthogonalSliceReconstruction::GetComponentTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(7));
+}
+
+int vtkOrthogonalSliceReconstruction::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  orthoslices::DeclareTimeSteps(inputs, InputPorts, outputs);
+  return 1;
+}
+
 int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
@@ -222,6 +244,8 @@ int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
 int vtkOrthogonalSliceReconstruction::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  orthoslices::ClearFieldData(outputs);
+  orthoslices::MarkTime(this->ListInputs(), outputs);
   const int from = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
   if (outputs->GetInformationObject(from)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
@@ -236,21 +260,170 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   orthoslices::SortedSlices sorted = this->SortInputs(inputs);
   const bool doublePrecision = this->NeedsDoublePrecision(inputs, sorted);
   options.SinglePrecision = !doublePrecision;
+  bool done = false;
+  if (this->UsesLabels())
+  {
+    const orthoslices::ContourLabels labels = this->ReadLabels(inputs, sorted);
+    done =
+      labels.Count() > 0 && this->ReconstructLabels(std::move(sorted), labels, options, outputs);
+  }
+  else
+  {
+    done = this->ReconstructAll(std::move(sorted), options, outputs);
+  }
+  orthoslices::CarryFieldData(
+    this->ListInputs(), vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1));
+  return done ? 1 : 0;
+}
+
+/// One structure: the outputs, or the reason why there are none, and what else to tell the user.
+vtkOrthogonalSliceReconstruction::Outcome vtkOrthogonalSliceReconstruction::Reconstruct(
+  orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
+  const std::function<vtkInformationVector*()>& outputs, std::string& text)
+{
   const orthoslices::Polylines others = std::move(sorted.Others);
   orthoslices::Reconstruction result =
     orthoslices::ReconstructSorted(std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
   if (result.Stopped)
   {
-    return 1;
+    return Outcome::Stopped;
   }
-  if (!this->CheckResult(result))
+  text = this->DescribeFailure(result);
+  if (!text.empty())
   {
-    return 0;
+    return Outcome::Failed;
   }
-  this->Report(result);
-  this->WriteOutputs(std::move(result), doublePrecision, outputs);
-  this->CompareOthers(others, outputs);
-  return 1;
+  text = this->Report(result);
+  vtkInformationVector* target = outputs();
+  this->WriteOutputs(std::move(result), !options.SinglePrecision, target);
+  text += this->CompareOthers(others, target);
+  return Outcome::Done;
+}
+
+/// One surface of all contours. False, with empty outputs, if they are refused.
+bool vtkOrthogonalSliceReconstruction::ReconstructAll(orthoslices::SortedSlices&& sorted,
+  const orthoslices::Options& options, vtkInformationVector* outputs)
+{
+  std::string text;
+  const Outcome outcome = this->Reconstruct(
+    std::move(sorted), options, [outputs]() { return outputs; }, text);
+  if (outcome == Outcome::Failed)
+  {
+    vtkErrorMacro(<< text);
+  }
+  else if (!text.empty())
+  {
+    vtkWarningMacro(<< text);
+  }
+  return outcome != Outcome::Failed;
+}
+
+namespace
+{
+/// Progress within a share of the whole, for as long as this lives.
+class ShareOfProgress
+{
+public:
+  ShareOfProgress(vtkAlgorithm* filter, double first, double share)
+    : Filter(filter)
+  {
+    filter->SetProgressShiftScale(first, share);
+  }
+  ~ShareOfProgress() { this->Filter->SetProgressShiftScale(0.0, 1.0); }
+  ShareOfProgress(const ShareOfProgress&) = delete;
+  void operator=(const ShareOfProgress&) = delete;
+
+private:
+  vtkAlgorithm* Filter;
+};
+}
+
+/// The labels of all contours; an error and no labels if there are none.
+orthoslices::ContourLabels vtkOrthogonalSliceReconstruction::ReadLabels(
+  vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted)
+{
+  std::vector<vtkDataObject*> data;
+  for (int port = 0; port < InputPorts; ++port)
+  {
+    data.push_back(vtkDataObject::GetData(inputs[port]));
+  }
+  const orthoslices::ContourLabels labels =
+    orthoslices::ReadLabels(data, this->LabelArray, sorted.From);
+  if (labels.Count() == 0)
+  {
+    vtkErrorMacro("No contour has a label in a cell array \"" << this->LabelArray << "\".");
+  }
+  else if (labels.Unlabelled > 0)
+  {
+    vtkWarningMacro(<< labels.Unlabelled << " contours have no label in the cell array \""
+                    << this->LabelArray << "\" and take no part in any surface.");
+  }
+  return labels;
+}
+
+/// One surface for each label, one after another; labels that are refused do not cost the others.
+/// False, with empty outputs, if all are refused.
+bool vtkOrthogonalSliceReconstruction::ReconstructLabels(orthoslices::SortedSlices&& sorted,
+  const orthoslices::ContourLabels& labels, const orthoslices::Options& options,
+  vtkInformationVector* outputs)
+{
+  std::vector<orthoslices::SortedSlices> parts =
+    orthoslices::SplitByLabel(sorted, labels.OfLine, labels.Count());
+  const double all = std::max<double>(1.0, orthoslices::CountVertices(sorted));
+  sorted = orthoslices::SortedSlices();
+  orthoslices::LabelOutputs appended(labels, outputs);
+  orthoslices::SharedPatches shared;
+  orthoslices::Options settings = options;
+  settings.Patching.Shared = &shared;
+  std::ostringstream refused, report;
+  double before = 0.0;
+  bool any = false;
+  for (orthoslices::Index label = 0; label < labels.Count(); ++label)
+  {
+    const double share = orthoslices::CountVertices(parts[label]) / all;
+    const ShareOfProgress progress(this, before, share);
+    before += share;
+    std::string text;
+    const Outcome outcome = this->Reconstruct(
+      std::move(parts[label]), settings, [&]() { return appended.Next(label); }, text);
+    if (outcome == Outcome::Stopped)
+    {
+      return true;
+    }
+    any |= outcome == Outcome::Done;
+    const std::string name = "\nLabel " + labels.NameOf(label);
+    if (outcome == Outcome::Failed)
+    {
+      refused << name << " has no surface: " << text;
+    }
+    else if (!text.empty())
+    {
+      report << name << ":" << text;
+    }
+  }
+  if (!any)
+  {
+    vtkErrorMacro(<< refused.str());
+    return false;
+  }
+  appended.Finish();
+  if (!(refused.str() + report.str()).empty())
+  {
+    vtkWarningMacro(<< refused.str() << report.str());
+  }
+  return true;
+}
+
+/// The inputs of all ports; null where there is none.
+std::vector<vtkDataObject*> vtkOrthogonalSliceReconstruction::ListInputs()
+{
+  std::vector<vtkDataObject*> inputs;
+  for (int port = 0; port < InputPorts; ++port)
+  {
+    const bool isConnected = this->GetNumberOfInputConnections(port) > 0;
+    inputs.push_back(isConnected ? this->GetInputDataObject(port, 0) : nullptr);
+  }
+  return inputs;
 }
 
 namespace
@@ -412,33 +585,35 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.Patching.CornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
 }
 
-/// Whether there is a surface that the outputs can hold.
-bool vtkOrthogonalSliceReconstruction::CheckResult(const orthoslices::Reconstruction& result)
+/// Why there is no surface that the outputs can hold; empty if there is one.
+std::string vtkOrthogonalSliceReconstruction::DescribeFailure(
+  const orthoslices::Reconstruction& result) const
 {
+  std::ostringstream text;
   if (result.Refused)
   {
     std::vector<orthoslices::Problem> problems = result.Invalid;
     problems.insert(problems.end(), result.CrossingProblems.begin(), result.CrossingProblems.end());
-    vtkErrorMacro("The input has "
-      << problems.size() << " unusable contours:" << orthoslices::DescribeProblems(problems));
-    return false;
+    text << "The input has " << problems.size()
+         << " unusable contours:" << orthoslices::DescribeProblems(problems);
+    return text.str();
   }
   for (int axis = 0; axis < 3; ++axis)
   {
     // Cells are counted from 0 below the first plane, in the array GridCell.
     if (result.Grid.Count(axis) >= VTK_UNSIGNED_SHORT_MAX)
     {
-      vtkErrorMacro("There are " << result.Grid.Count(axis) << " " << orthoslices::AxisNames[axis]
-                                 << "-slices, more than " << VTK_UNSIGNED_SHORT_MAX - 1
-                                 << "; is PlaneTolerance too small?");
-      return false;
+      text << "There are " << result.Grid.Count(axis) << " " << orthoslices::AxisNames[axis]
+           << "-slices, more than " << VTK_UNSIGNED_SHORT_MAX - 1
+           << "; is PlaneTolerance too small?";
+      return text.str();
     }
   }
-  return true;
+  return std::string();
 }
 
-/// Takes out what is not worth a report, and warns of what is left that the user should know.
-void vtkOrthogonalSliceReconstruction::Report(orthoslices::Reconstruction& result)
+/// Takes out what is not worth a report, and says what is left that the user should know.
+std::string vtkOrthogonalSliceReconstruction::Report(orthoslices::Reconstruction& result) const
 {
   orthoslices::ReportSettings settings;
   settings.Tolerance = this->ReportTolerance * result.Diagonal;
@@ -449,11 +624,7 @@ void vtkOrthogonalSliceReconstruction::Report(orthoslices::Reconstruction& resul
     settings.Expected.Genus = this->ExpectedGenus;
   }
   orthoslices::RemoveSmallRepairs(settings.Tolerance, result.Repairs);
-  const std::string text = orthoslices::DescribeReport(result, settings);
-  if (!text.empty())
-  {
-    vtkWarningMacro(<< text);
-  }
+  return orthoslices::DescribeReport(result, settings);
 }
 
 void vtkOrthogonalSliceReconstruction::WriteOutputs(
@@ -464,7 +635,12 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   orthoslices::WriteUndecidedTable(result, vtkTable::GetData(outputs, 5));
   orthoslices::WriteProblemTable(result, vtkTable::GetData(outputs, 6));
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
-  orthoslices::WriteGraph(result, doublePrecision, vtkPolyData::GetData(outputs, 1));
+  vtkPolyData* graph = vtkPolyData::GetData(outputs, 1);
+  orthoslices::WriteGraph(result, doublePrecision, graph);
+  orthoslices::ArrayCarrier carrier(
+    this->PassCellArrays ? this->ListInputs() : std::vector<vtkDataObject*>(), result);
+  carrier.AddToGraph(result, graph->GetCellData());
+  carrier.ChooseContours(result, orthoslices::ExecuteWithVtk(this));
   this->UpdateProgress(ProgressBeforeSurface);
   const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures };
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
@@ -472,27 +648,26 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
   orthoslices::WriteSurface(std::move(result), orthoslices::ExecuteWithVtk(this), doublePrecision,
     arrays, reportTolerance, surface);
+  carrier.AddToSurface(surface->GetCellData());
   orthoslices::CutAtBorder(openBorder, surface);
+  orthoslices::WriteComponentTable(surface, vtkTable::GetData(outputs, 7));
   this->UpdateProgress(1.0);
 }
 
-/// Contours on planes of no family: how far the surface is from them.
-void vtkOrthogonalSliceReconstruction::CompareOthers(
-  const orthoslices::Polylines& others, vtkInformationVector* outputs)
+/// Contours on planes of no family: how far the surface is from them, for the table and as text.
+std::string vtkOrthogonalSliceReconstruction::CompareOthers(
+  const orthoslices::Polylines& others, vtkInformationVector* outputs) const
 {
   const std::vector<orthoslices::Agreement> distances =
     orthoslices::MeasureDistances(others, vtkPolyData::GetData(outputs, 0));
   orthoslices::WriteOthers(others, distances, vtkTable::GetData(outputs, 3));
-  const std::string text = orthoslices::DescribeOthers(others, distances);
-  if (!text.empty())
-  {
-    vtkWarningMacro(<< text);
-  }
+  return orthoslices::DescribeOthers(others, distances);
 }
 
 void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "LabelArray: " << this->LabelArray << "\n";
   os << indent << "PlaneTolerance: " << this->PlaneTolerance << "\n";
   os << indent << "Orientation: " << Orientations[this->Orientation].Name << "\n";
   os << indent << "InvalidContours: " << InvalidContoursModes[this->InvalidContours].Name << "\n";
@@ -530,5 +705,6 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ReportTolerance: " << this->ReportTolerance << "\n";
   os << indent << "ComputeNormals: " << (this->ComputeNormals ? "On" : "Off") << "\n";
   os << indent << "ComputeCurvatures: " << (this->ComputeCurvatures ? "On" : "Off") << "\n";
+  os << indent << "PassCellArrays: " << (this->PassCellArrays ? "On" : "Off") << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

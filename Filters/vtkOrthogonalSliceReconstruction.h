@@ -155,6 +155,32 @@
  * where; "Size" (double, world units): distance from the plane, length of the gap, of what was
  * trimmed, added or left out, distance of the two contours, or 0.
  *
+ * Port 7, the components (vtkTable), one row for each: "ComponentId" (int), as on port 0; "Area",
+ * "Volume" (double, world units), exact for the triangles: the volume is positive for an outer
+ * surface and negative for that of a cavity, which is a component of its own, so that volumes add up
+ * to that of the body; "CentroidX", "CentroidY", "CentroidZ" (double): of the solid that the component
+ * encloses; "Triangles" (vtkIdType). A component that is open has the volume NaN and the centroid of
+ * its surface.
+ *
+ * @section Labels Labels
+ * With LabelArray, each label is reconstructed from its contours alone, as in a run of its own but
+ * with common axes of the slices, and the outputs of all labels are appended in ascending order of
+ * labels. Every surface is closed by itself: no points are shared between labels. Where the contours
+ * of two labels have the same vertices, around a cell of M, the patches of both have the same
+ * triangles, so that neighbours with common borders neither overlap nor leave gaps there. Ports 0 and
+ * 1 have the cell data "Label", of the type of the input's array; names stand as their number (int) in the
+ * field data "LabelNames" (vtkStringArray) of port 0. The tables of ports 2 to 7 have a first column
+ * "Label", the number or the name. "ComponentId" runs on from label to label, field data that count
+ * are of all labels together, "SlicePlane" and "GridCell" count the planes of the label. Port 0 also
+ * has the field data "LabelNames" (of numbers their text), "LabelArea" and "LabelVolume" (double), one
+ * value for each label. Fractions of a diagonal are those of the box around the contours of a label.
+ *
+ * 0 is a label like any other (vtkOrthogonalSlicer takes it for the background of an image of labels,
+ * and makes no contours of it). Contours without a label (of an input that lacks the array, NaN, an
+ * empty name) take no part, and a warning counts them. A label whose contours are refused leaves the
+ * others as they are; a warning names it. Only if all are refused, this is an error.
+  std::vector<vtkDataObject*> ListInputs();
+ *
  * In a parallel run the first process reconstructs the whole surface from the whole input; the
  * outputs of the others are empty.
  *
@@ -188,10 +214,16 @@
 #include "vtkFiltersOrthogonalSlicesModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkDataObject;
 class vtkTable;
 
 namespace orthoslices
 {
+struct ContourLabels;
 struct Options;
 struct Polylines;
 struct Reconstruction;
@@ -297,6 +329,17 @@ public:
    */
   vtkSetClampMacro(PlaneTolerance, double, 0.0, 0.1);
   vtkGetMacro(PlaneTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the cell array of the inputs that says which structure a contour belongs to: numbers, or
+   * names (vtkStringArray). One run then makes one closed surface for each label, from its contours
+   * alone, with these properties, and appends all outputs (see Labels). Empty (default) or "None":
+   * all contours belong to one structure. A name that no input has is an error.
+   */
+  vtkSetStdStringFromCharMacro(LabelArray);
+  vtkGetCharFromStdStringMacro(LabelArray);
   ///@}
 
   ///@{
@@ -663,6 +706,16 @@ public:
 
   ///@{
   /**
+   * Whether the cell arrays of the contours are passed on to the graph and to the surface (see
+   * Outputs). Default on.
+   */
+  vtkSetMacro(PassCellArrays, bool);
+  vtkGetMacro(PassCellArrays, bool);
+  vtkBooleanMacro(PassCellArrays, bool);
+  ///@}
+
+  ///@{
+  /**
    * Precision of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or
    * DEFAULT_PRECISION (default): double if any input has double points, or if the slices do not lie
    * across the axes of the world; single precision may make slivers of triangles touch in that case.
@@ -683,7 +736,8 @@ public:
   ///@{
   /**
    * The graph G (port 1), the histogram of polygon sizes (port 2), and the tables of contours
-   * (port 3), slices (port 4), undecided places (port 5) and input problems (port 6).
+   * (port 3), slices (port 4), undecided places (port 5), input problems (port 6) and components
+   * (port 7).
    */
   vtkPolyData* GetGraphOutput();
   vtkTable* GetHistogramOutput();
@@ -691,6 +745,7 @@ public:
   vtkTable* GetSliceTable();
   vtkTable* GetUndecidedTable();
   vtkTable* GetProblemTable();
+  vtkTable* GetComponentTable();
   ///@}
 
 protected:
@@ -699,6 +754,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -712,12 +768,31 @@ private:
   orthoslices::SortedSlices SortInputs(vtkInformationVector** inputs) const;
   bool NeedsDoublePrecision(vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
   void GetOptions(orthoslices::Options& options) const;
-  bool CheckResult(const orthoslices::Reconstruction& result);
-  void Report(orthoslices::Reconstruction& result);
+  orthoslices::ContourLabels ReadLabels(
+    vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
+  enum class Outcome
+  {
+    Done,
+    Stopped,
+    Failed
+  };
+  Outcome Reconstruct(orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
+    const std::function<vtkInformationVector*()>& outputs, std::string& text);
+  bool ReconstructAll(orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
+    vtkInformationVector* outputs);
+  bool ReconstructLabels(orthoslices::SortedSlices&& sorted,
+    const orthoslices::ContourLabels& labels, const orthoslices::Options& options,
+    vtkInformationVector* outputs);
+  bool UsesLabels() const { return !this->LabelArray.empty() && this->LabelArray != "None"; }
+  std::string DescribeFailure(const orthoslices::Reconstruction& result) const;
+  std::string Report(orthoslices::Reconstruction& result) const;
   void WriteOutputs(
     orthoslices::Reconstruction&& result, bool doublePrecision, vtkInformationVector* outputs);
-  void CompareOthers(const orthoslices::Polylines& others, vtkInformationVector* outputs);
+  std::string CompareOthers(
+    const orthoslices::Polylines& others, vtkInformationVector* outputs) const;
+  std::vector<vtkDataObject*> ListInputs();
 
+  std::string LabelArray;
   double PlaneTolerance = 1e-5;
   int Orientation = ORIENT_BY_NESTING;
   int InvalidContours = MEND;
@@ -748,6 +823,7 @@ private:
   int EndCaps = DOME_ENDS;
   bool ComputeNormals = true;
   bool ComputeCurvatures = false;
+  bool PassCellArrays = true;
   int OutputPointsPrecision = DEFAULT_PRECISION;
 };
 

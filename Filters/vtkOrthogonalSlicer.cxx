@@ -242,15 +242,25 @@ bool vtkOrthogonalSlicer::SliceImage(
   RoundCoordinates(precision, grid);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const auto contours = SliceSamples(scalars, grid, axis, samples[axis], region, precision,
-      ExecuteInBatches(this, axis / 3.0, (axis + 1) / 3.0));
     std::vector<double> planes;
     for (const Index sample : samples[axis])
     {
       planes.push_back(grid.Axes[axis].Coordinate(sample));
     }
+    const Execution execution = ExecuteInBatches(this, axis / 3.0, (axis + 1) / 3.0);
     vtkPolyData* output = vtkPolyData::GetData(outputs, axis);
-    WriteContours(axis, precision, planes, contours, output);
+    if (this->EveryLabel)
+    {
+      WriteContours(axis, precision, planes,
+        SliceSampleLabels(
+          scalars, grid, axis, samples[axis], this->BackgroundLabel, precision, execution),
+        scalars->GetDataType(), output);
+    }
+    else
+    {
+      WriteContours(axis, precision, planes,
+        SliceSamples(scalars, grid, axis, samples[axis], region, precision, execution), output);
+    }
     if (frame.IsOblique)
     {
       MoveToWorld(frame, stored, output);
@@ -386,5 +396,7 @@ void vtkOrthogonalSlicer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IsoValue: " << this->IsoValue << "\n";
   os << indent << "UseLabel: " << (this->UseLabel ? "On" : "Off") << "\n";
   os << indent << "LabelValue: " << this->LabelValue << "\n";
+  os << indent << "EveryLabel: " << (this->EveryLabel ? "On" : "Off") << "\n";
+  os << indent << "BackgroundLabel: " << this->BackgroundLabel << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

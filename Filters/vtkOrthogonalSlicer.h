@@ -5,9 +5,9 @@
  * @brief   cut a closed surface or an image into three orthogonal sets of contours
  *
  * Makes input for vtkOrthogonalSliceReconstruction from any model: cuts a closed surface, or the
- * region of an image at or above an iso-value or with one label, on three families of parallel
- * planes, each orthogonal to one coordinate axis; of an image with a direction matrix, orthogonal
- * to one axis of the image.
+ * region of an image at or above an iso-value or with one label, or each label of an image by itself,
+ * on three families of parallel planes, each orthogonal to one coordinate axis; of an image with a
+ * direction matrix, orthogonal to one axis of the image.
  *
  * @section Inputs Inputs
  * Port 0, one of
@@ -30,6 +30,8 @@
  *  - cell data "PlaneIndex" (int): index of the plane on this axis in ascending order, where
  *    planes without contours count;
  *  - cell data "PlaneCoordinate" (double): the plane's coordinate;
+ *  - cell data "Label" (of the type of the scalars), with EveryLabel only: the label of the contour;
+ *    contours are ordered by plane, then by label;
  *  - field data "PlaneCoordinates" (double): coordinates of all planes of this axis, ascending.
  *
  * @section Planes Planes
@@ -195,6 +197,26 @@ public:
 
   ///@{
   /**
+   * Images: whether the scalars are labels, each of which is cut by itself, instead of one region
+   * (UseLabel and IsoValue then say nothing). The outputs have the cell data "Label" of the type of
+   * the scalars, for LabelArray of vtkOrthogonalSliceReconstruction. Where samples of two labels are
+   * neighbours, both have the same contour vertices between them. Default off.
+   */
+  vtkSetMacro(EveryLabel, bool);
+  vtkGetMacro(EveryLabel, bool);
+  vtkBooleanMacro(EveryLabel, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Images: the label that has no contours with EveryLabel. Default 0, as images of labels have it.
+   */
+  vtkSetMacro(BackgroundLabel, int);
+  vtkGetMacro(BackgroundLabel, int);
+  ///@}
+
+  ///@{
+  /**
    * Precision of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or
    * DEFAULT_PRECISION (default): that of the surface's points, double for images.
    */
@@ -230,6 +252,8 @@ private:
   double IsoValue = 0.0;
   bool UseLabel = false;
   int LabelValue = 1;
+  bool EveryLabel = false;
+  int BackgroundLabel = 0;
   int OutputPointsPrecision = DEFAULT_PRECISION;
 };
 

@@ -845,7 +845,8 @@ TEST(OrthogonalSlicer, PrintsItsParameters)
   slicer->Print(text);
   for (const char* words :
     { "PlaneMode: Number", "NumberOfSlices: 32 32 32", "Spacing: 1 1 1", "YCoordinates: 12.5",
-      "IsoValue: 0", "UseLabel: Off", "LabelValue: 1", "OutputPointsPrecision: 2" })
+      "IsoValue: 0", "UseLabel: Off", "LabelValue: 1", "EveryLabel: Off",
+      "BackgroundLabel: 0", "OutputPointsPrecision: 2" })
   {
     EXPECT_NE(text.str().find(words), std::string::npos) << words;
   }

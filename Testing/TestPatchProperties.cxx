@@ -111,6 +111,7 @@ TEST(PatchProperties, DefaultsAndRanges)
   EXPECT_EQ(filter->GetSmoothing(), 0.0);
   EXPECT_EQ(filter->GetContourTolerance(), 0.0);
   EXPECT_FALSE(filter->GetComputeCurvatures());
+  EXPECT_TRUE(filter->GetPassCellArrays());
   filter->SetPatchType(17);
   EXPECT_EQ(filter->GetPatchType(), Filter::COONS);
   filter->SetEdgeLength(0.0);
@@ -136,6 +137,7 @@ TEST(PatchProperties, SettersChangeTheTimeAndAreAllPrinted)
     { "Smoothing: 0.75", [](Filter* f) { f->SetSmoothing(0.75); } },
     { "ContourTolerance: 0.0625", [](Filter* f) { f->SetContourTolerance(0.0625); } },
     { "ComputeCurvatures: On", [](Filter* f) { f->ComputeCurvaturesOn(); } },
+    { "PassCellArrays: Off", [](Filter* f) { f->PassCellArraysOff(); } },
   });
 }
 

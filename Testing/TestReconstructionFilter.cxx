@@ -109,11 +109,11 @@ PieceSets Stomach() { return ReadPieceSets({ "lbl_stomach", 1, 0, false }, 32); 
 }
 
 //----------------------------------------------------------------------------
-TEST(ReconstructionFilter, HasFourOptionalInputsAndSevenOutputs)
+TEST(ReconstructionFilter, HasFourOptionalInputsAndEightOutputs)
 {
   vtkNew<vtkOrthogonalSliceReconstruction> filter;
   EXPECT_EQ(filter->GetNumberOfInputPorts(), 4);
-  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 7);
+  EXPECT_EQ(filter->GetNumberOfOutputPorts(), 8);
   for (int port = 0; port < 4; ++port)
   {
     vtkInformation* info = filter->GetInputPortInformation(port);

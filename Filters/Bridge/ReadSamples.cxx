@@ -116,4 +116,23 @@ std::vector<PlaneContours> SliceSamples(vtkDataArray* scalars, const SampleGrid&
     });
   return contours;
 }
+
+std::vector<LabelContours> SliceSampleLabels(vtkDataArray* scalars, const SampleGrid& grid,
+  int axis, const std::vector<Index>& samples, double background, Precision precision,
+  const Execution& execution)
+{
+  std::vector<LabelContours> contours(samples.size());
+  const Region asTheyAre{ false, 0.0 };
+  execution.For(contours.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        contours[i] = SliceLabels(ReadPlane(scalars, grid, axis, samples[i], asTheyAre), background,
+          grid.Axes[FirstAxis(axis)].Coordinates, grid.Axes[SecondAxis(axis)].Coordinates,
+          precision);
+      }
+    });
+  return contours;
+}
 }

@@ -5,7 +5,7 @@
 
 #include "Bridge/ImageFrame.h"
 #include "Core/Base/Execution.h"
-#include "Core/Slicing/SliceImage.h"
+#include "Core/Slicing/SliceLabels.h"
 
 #include <cstddef>
 #include <vector>
@@ -61,6 +61,11 @@ std::vector<Index> NearestSamples(
 /// The contours on the planes of some samples across `axis`, one entry for each of them.
 std::vector<PlaneContours> SliceSamples(vtkDataArray* scalars, const SampleGrid& grid, int axis,
   const std::vector<Index>& samples, const Region& region, Precision precision,
+  const Execution& execution);
+
+/// The same for each label of the image but the background, with the label of each contour.
+std::vector<LabelContours> SliceSampleLabels(vtkDataArray* scalars, const SampleGrid& grid,
+  int axis, const std::vector<Index>& samples, double background, Precision precision,
   const Execution& execution);
 }
 

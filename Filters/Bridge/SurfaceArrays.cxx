@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/SurfaceArrays.h"
 
+#include "Bridge/VisitTriangles.h"
 #include "Core/Surface/PointNormals.h"
 #include "Core/Surface/TriangleMeasures.h"
 
-#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -19,34 +19,6 @@ namespace orthoslices
 {
 namespace
 {
-/// Calls visit(coordinates, point ids, number of triangles) with the types of the surface.
-template <typename Visit>
-void VisitTriangles(vtkPolyData* surface, Visit&& visit)
-{
-  vtkCellArray* cells = surface->GetPolys();
-  const vtkIdType count = cells->GetNumberOfCells();
-  const auto withIds = [&](const auto* xyz)
-  {
-    if (cells->IsStorage64Bit())
-    {
-      visit(xyz, cells->GetConnectivityArray64()->GetPointer(0), count);
-    }
-    else
-    {
-      visit(xyz, cells->GetConnectivityArray32()->GetPointer(0), count);
-    }
-  };
-  vtkDataArray* points = surface->GetPoints()->GetData();
-  if (auto* doubles = vtkDoubleArray::FastDownCast(points))
-  {
-    withIds(doubles->GetPointer(0));
-  }
-  else
-  {
-    withIds(vtkFloatArray::FastDownCast(points)->GetPointer(0));
-  }
-}
-
 void AddArray(const char* name, const std::vector<float>& values, vtkPointData* data)
 {
   vtkNew<vtkFloatArray> array;

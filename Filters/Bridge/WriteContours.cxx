@@ -12,8 +12,10 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace orthoslices
 {
@@ -101,5 +103,23 @@ void WriteContours(int axis, Precision precision, const std::vector<double>& pla
   all->SetNumberOfValues(static_cast<vtkIdType>(planes.size()));
   std::copy(planes.begin(), planes.end(), all->GetPointer(0));
   output->GetFieldData()->AddArray(all);
+}
+
+void WriteContours(int axis, Precision precision, const std::vector<double>& planes,
+  std::vector<LabelContours>&& contours, int labelType, vtkPolyData* output)
+{
+  std::vector<PlaneContours> plain;
+  const auto labels = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(labelType));
+  labels->SetName("Label");
+  for (LabelContours& plane : contours)
+  {
+    for (const double label : plane.Labels)
+    {
+      labels->InsertNextTuple1(label);
+    }
+    plain.push_back(std::move(plane.Contours));
+  }
+  WriteContours(axis, precision, planes, plain, output);
+  output->GetCellData()->AddArray(labels);
 }
 }

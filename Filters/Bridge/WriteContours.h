@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesWriteContours_h
 #define OrthoSlicesWriteContours_h
 
-#include "Core/Slicing/PlaneContours.h"
+#include "Core/Slicing/SliceLabels.h"
 
 #include <vector>
 
@@ -18,6 +18,10 @@ namespace orthoslices
  */
 void WriteContours(int axis, Precision precision, const std::vector<double>& planes,
   const std::vector<PlaneContours>& contours, vtkPolyData* output);
+
+/// The same with the cell array "Label" of the VTK type `labelType`.
+void WriteContours(int axis, Precision precision, const std::vector<double>& planes,
+  std::vector<LabelContours>&& contours, int labelType, vtkPolyData* output);
 }
 
 #endif

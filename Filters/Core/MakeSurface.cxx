@@ -3,6 +3,7 @@
 #include "Core/MakeSurface.h"
 
 #include "Core/Cells/DoubtfulJoins.h"
+#include "Core/Crossings/ArcSources.h"
 #include "Core/Crossings/NodeNormals.h"
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/SimplifyArcs.h"
@@ -105,6 +106,7 @@ bool BuildGraph(Pass& pass)
   pass.Finish(Stage::BuildNodeGraph);
   result.Agreement =
     MeasureAgreement(contours, result.Grid, result.Crossings, result.Nodes, normals);
+  result.ArcSources = FindArcSources(contours, result.Crossings);
   result.Members = { contours.Axis, contours.Plane, contours.Cell, contours.Virtual, {}, {} };
   pass.Finish(Stage::MeasureAgreement);
   ThinArcs(pass.Settings.ContourTolerance * MinMeanSpacing(result.Grid), result.Crossings,

@@ -31,6 +31,7 @@ void AppendLeftOut(
     to.Offsets.push_back(static_cast<Index>(to.Points.size() / 3));
     to.Axis.push_back(from.Axis[i]);
     to.Plane.push_back(NumberOf(first.Grid, result.Grid, from.Axis[i], from.Plane[i]));
+    to.Source.push_back(from.Source[i]);
     to.LeftOut.push_back(1);
     to.Loop.push_back(IsolatedContours::None);
   }

@@ -129,6 +129,7 @@ Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
   }
   Reconstruction result = Reconstruct(std::move(sorted.Slices), settings, execution, observer);
   NameSources(sorted.From, result);
+  result.Sources = std::move(sorted.From);
   result.Frame = sorted.Frame;
   if (!result.Frame.IsWorld())
   {

@@ -5,6 +5,7 @@
 
 #include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
+#include "Core/Base/Polylines.h"
 #include "Core/Cells/UndecidedPlaces.h"
 #include "Core/Crossings/MeasureAgreement.h"
 #include "Core/Crossings/ReconcileSlices.h"
@@ -75,7 +76,11 @@ struct Reconstruction
   Reconciliation Reconciled;   ///< its repairs are moved to Repairs
   std::vector<Repair> Repairs; ///< of all stages, without those of virtual slices
   SliceAgreement Agreement;
-  ContourList Members; ///< of Agreement.OfContour
+  ContourList Members;                  ///< of Agreement.OfContour
+  std::vector<std::int64_t> ArcSources; ///< see FindArcSources
+  /// The polylines whose numbers ArcSources and Isolated.Source are; empty until ReconstructSorted
+  /// names them.
+  PolylineSources Sources;
   /// NodePoints::Difference before there were virtual slices, whose planes divide edges; else empty.
   std::vector<double> RealDifferences;
 };

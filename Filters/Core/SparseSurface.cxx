@@ -51,6 +51,7 @@ bool SparseRunner::Sketch(Pass& pass) const
   PatchOptions patching = pass.Settings.Patching;
   patching.EdgeLength =
     std::max(patching.EdgeLength, this->Density.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
+  patching.Shared = nullptr;
   return FillCycles(patching, pass);
 }
 

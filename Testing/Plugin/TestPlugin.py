@@ -34,10 +34,13 @@ def check_defaults():
         "ZCoordinates": [],
         "UseLabel": 0,
         "LabelValue": 1,
+        "EveryLabel": 0,
+        "BackgroundLabel": 0,
         "OutputPointsPrecision": "Same as input",
     }
     compare_defaults(slicer, expected)
     expected = {
+        "LabelArray": "None",
         "Orientation": "By Nesting",
         "InvalidContours": "Mend",
         "BorderContours": "Close Along Border",
@@ -55,6 +58,7 @@ def check_defaults():
         "Smoothing": 0.0,
         "ContourTolerance": 0.0,
         "ComputeCurvatures": 0,
+        "PassCellArrays": 1,
         "CentralPoint": "Least Squares",
         "ComputeNormals": 1,
         "OutputPointsPrecision": "Same as input",
@@ -85,7 +89,7 @@ def check_outputs():
     rec = reconstruct_sliced(slicer)
     for proxy, names in ((slicer, ("XSlices", "YSlices", "ZSlices")),
                          (rec, ("Surface", "Graph", "Histogram", "Contours", "Slices", "Undecided",
-                                "Input problems"))):
+                                "Input problems", "Components"))):
         found = tuple(proxy.SMProxy.GetOutputPortName(k)
                       for k in range(proxy.SMProxy.GetNumberOfOutputPorts()))
         check(found == names, f"the outputs are named {found}")
@@ -230,6 +234,25 @@ def check_image():
     check_closed(fetch(reconstruct_sliced(slicer)), components=1)
 
 
+def check_labels():
+    """One surface for each label of an image, by the array that the panel lists."""
+    labels = simple.Calculator(Input=simple.Wavelet(), ResultArrayName="Label",
+        Function="(coordsX^2 + coordsY^2 + coordsZ^2 < 50) * if (coordsX < 0.5, 2, 5)")
+    slicer = simple.OrthogonalSlicer(Input=labels, Scalars=["POINTS", "Label"], EveryLabel=1,
+        NumberOfSlices=[21, 21, 21])
+    rec = reconstruct_sliced(slicer)
+    listed = rec.GetProperty("LabelArray").GetAvailable()
+    check("Label" in listed and "None" in listed, f"Label Array offers {listed}")
+    rec.LabelArray = "Label"
+    surface = fetch(rec)
+    check_closed(surface, components=2)
+    check(surface.GetCellData().GetArray("Label").GetRange() == (2.0, 5.0), "other labels")
+    table = fetch(rec, 7)
+    check(table.GetNumberOfRows() == 2, f"{table.GetNumberOfRows()} components in the table")
+    volume = sum(table.GetColumnByName("Volume").GetValue(row) for row in range(2))
+    check(abs(volume / (4 / 3 * 3.14159 * 50 ** 1.5) - 1) < 0.05, f"the volume is {volume}")
+
+
 def main(plugin, data):
     load_plugin(plugin, remote=False)
     check_defaults()
@@ -242,6 +265,7 @@ def main(plugin, data):
     check_one_input_for_all()
     check_parallel()
     check_image()
+    check_labels()
     check_heart(data)
     print("plugin: all checks passed")
 

@@ -121,6 +121,14 @@ double Interpolate(double from, double to, double t)
   return t <= 0.0 ? from : t >= 1.0 ? to : from + t * (to - from);
 }
 
+/// The other coordinate at which a segment from p to q passes a plane of the first one, as seen from
+/// the lesser end.
+double InterpolateFromLesser(double plane, const Point2& p, const Point2& q)
+{
+  const Point2 &from = p < q ? p : q, &to = p < q ? q : p;
+  return Interpolate(from[1], to[1], (plane - from[0]) / (to[0] - from[0]));
+}
+
 template <typename Visit>
 void ContourWalk::CrossSegment(Index vertex, Index next, Visit&& visit)
 {
@@ -140,7 +148,9 @@ void ContourWalk::CrossSegment(Index vertex, Index next, Visit&& visit)
       const int direction = targetU > this->SlabU ? 1 : -1;
       const Index plane = direction > 0 ? this->SlabU : this->SlabU - 1;
       visit(PlaneCrossing{ vertex, true, plane, direction, this->SlabV,
-        this->Grid.Clamp(SecondAxis(this->Axis), this->SlabV, Interpolate(v0, v1, tu)) });
+        this->Grid.Clamp(SecondAxis(this->Axis), this->SlabV,
+          this->Grid.BothWays ? InterpolateFromLesser(this->U[plane], { u0, v0 }, { u1, v1 })
+                              : Interpolate(v0, v1, tu)) });
       this->SlabU += direction;
     }
     else
@@ -148,7 +158,9 @@ void ContourWalk::CrossSegment(Index vertex, Index next, Visit&& visit)
       const int direction = targetV > this->SlabV ? 1 : -1;
       const Index plane = direction > 0 ? this->SlabV : this->SlabV - 1;
       visit(PlaneCrossing{ vertex, false, plane, direction, this->SlabU,
-        this->Grid.Clamp(FirstAxis(this->Axis), this->SlabU, Interpolate(u0, u1, tv)) });
+        this->Grid.Clamp(FirstAxis(this->Axis), this->SlabU,
+          this->Grid.BothWays ? InterpolateFromLesser(this->V[plane], { v0, u0 }, { v1, u1 })
+                              : Interpolate(u0, u1, tv)) });
       this->SlabV += direction;
     }
   }

@@ -3,6 +3,7 @@
 #include "Core/Graph/IsolatedContours.h"
 
 #include "Core/Base/Predicates.h"
+#include "Core/Crossings/ArcSources.h"
 
 #include <algorithm>
 #include <cmath>
@@ -128,6 +129,7 @@ IsolatedContours CopyIsolated(const std::vector<IsolatedLoop>& loops, const Cont
     isolated.Offsets.push_back(static_cast<Index>(isolated.Points.size() / 3));
     isolated.Axis.push_back(contours.Axis[member]);
     isolated.Plane.push_back(contours.Plane[member]);
+    isolated.Source.push_back(SourceOf(contours, member));
     isolated.LeftOut.push_back(loop.FirstRun == GridCrossings::None ? 0 : 1);
   }
   isolated.Loop.assign(isolated.Axis.size(), IsolatedContours::None);

@@ -18,6 +18,7 @@ struct IsolatedContours
   std::vector<Index> Offsets{ 0 };
   std::vector<std::int8_t> Axis;
   std::vector<Index> Plane;
+  std::vector<std::int64_t> Source; ///< as in FindArcSources
   /// Never a loop of G: a part that the other slices contradict and that was cut off, or a contour
   /// that is too small.
   std::vector<std::uint8_t> LeftOut;

@@ -5,6 +5,7 @@
 #include "Core/Patches/CoonsPatch.h"
 #include "Core/Patches/CreasePatch.h"
 #include "Core/Patches/RemoveTouching.h"
+#include "Core/Patches/SharedPatches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,6 +127,18 @@ FillPolygon FillerOf(PatchMethod method)
   return nullptr;
 }
 
+/// Numbers the corners of triangles on a border of so many points from another first one on.
+void TurnCorners(Index first, Index size, std::vector<std::array<Index, 3>>& triangles)
+{
+  for (auto& triangle : triangles)
+  {
+    for (Index& corner : triangle)
+    {
+      corner = corner >= 0 ? (corner + first) % size : corner;
+    }
+  }
+}
+
 /// Fills the polygons of a block that are no part of a mesh, as far as possible.
 InnerPatches FillBlock(FillPolygon fill, Workshop& shop, const std::vector<Index>& meshOf,
   std::size_t begin, std::size_t end)
@@ -141,17 +154,13 @@ InnerPatches FillBlock(FillPolygon fill, Workshop& shop, const std::vector<Index
     shop.Border.Set(shop.Tables.Geometry, shop.Tables.Normals, shop.Cycle);
     // Which point is the first one depends on the order of the contours; the patch does not.
     const Index first = shop.Border.Turn(), size = shop.Border.Count();
-    if (!fill(shop))
+    const SharedPatches* shared = shop.Options.Shared;
+    const bool isShared = shared != nullptr && shared->Find(shop.Border, shop.Patch);
+    if (!isShared && !fill(shop))
     {
       continue;
     }
-    for (auto& triangle : shop.Patch.Triangles)
-    {
-      for (Index& corner : triangle)
-      {
-        corner = corner >= 0 ? (corner + first) % size : corner;
-      }
-    }
+    TurnCorners(first, size, shop.Patch.Triangles);
     result.Add(shop.Cycle, shop.Patch);
   }
   return result;
@@ -181,6 +190,60 @@ InnerPatches PutTogether(std::vector<InnerPatches>& blocks)
     block = {};
   }
   return result;
+}
+
+/// A patch as it was put together.
+InnerPatch PatchAt(const InnerPatches& patches, Index patch)
+{
+  InnerPatch result;
+  for (auto i = patches.PointOffsets[patch]; i < patches.PointOffsets[patch + 1]; ++i)
+  {
+    const float* normal = patches.Normals.data() + 3 * i;
+    result.Points.push_back(patches.PointAt(i));
+    result.Normals.push_back({ normal[0], normal[1], normal[2] });
+  }
+  for (auto i = patches.TriangleOffsets[patch]; i < patches.TriangleOffsets[patch + 1]; ++i)
+  {
+    const Index* corners = patches.Corners.data() + 3 * i;
+    result.Triangles.push_back({ corners[0], corners[1], corners[2] });
+  }
+  return result;
+}
+
+/// The fan of a cycle with so many points on its border.
+InnerPatch FanAround(const Point3& center, Index size)
+{
+  InnerPatch fan;
+  fan.Points.push_back(center);
+  fan.Normals.push_back({ 0.0, 0.0, 0.0 });
+  for (Index i = 0; i < size; ++i)
+  {
+    fan.Triangles.push_back({ i, (i + 1) % size, -1 });
+  }
+  return fan;
+}
+
+/// Keeps all patches of one cycle, fans included, for structures with the same borders.
+void Share(const PatchTables& tables, const std::vector<Index>& meshOf, const InnerPatches& patches,
+  SharedPatches& shared)
+{
+  PatchBorder border;
+  Index next = 0;
+  for (Index cycle = 0; cycle < tables.Geometry.Cycles.Count(); ++cycle)
+  {
+    if (meshOf[cycle] >= 0)
+    {
+      continue;
+    }
+    border.Set(tables.Geometry, tables.Normals, cycle);
+    const Index first = border.Turn(), size = border.Count();
+    const bool isInner = next < patches.Count() && patches.Cycle[next] == cycle;
+    InnerPatch patch =
+      isInner ? PatchAt(patches, next) : FanAround(tables.CentralPoint(cycle), size);
+    next += isInner ? 1 : 0;
+    TurnCorners(size - first, size, patch.Triangles);
+    shared.Add(border, patch);
+  }
 }
 }
 
@@ -218,6 +281,10 @@ InnerPatches BuildInnerPatches(
     });
   InnerPatches patches = PutTogether(blocks);
   RemoveTouching(tables, meshOf, execution, patches);
+  if (options.Shared != nullptr)
+  {
+    Share(tables, meshOf, patches, *options.Shared);
+  }
   return patches;
 }
 }

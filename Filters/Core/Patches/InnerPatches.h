@@ -47,12 +47,16 @@ bool NeedsNormals(PatchMethod method);
 /// along the contours, say more than those of the triangles.
 bool GivesNormals(PatchMethod method);
 
+class SharedPatches;
+
 struct PatchOptions
 {
   PatchMethod Method = PatchMethod::Smooth;
   double CornerAngle = 1.0471975511965976; ///< of contours: 60 degrees; see EstimateNormals
   double EdgeLength = 0.25;                ///< of triangles inside patches, in mean plane spacings
   double ChordTolerance = 0.0;             ///< in mean plane spacings; see PatchResolution
+  /// Patches of structures that were made before: taken over where borders are the same, and added to.
+  SharedPatches* Shared = nullptr;
 };
 
 /**

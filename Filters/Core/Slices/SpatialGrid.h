@@ -39,6 +39,9 @@ struct SpatialGrid
   /// If it is not 0, all coordinates of the result, planes included, are multiples of this power of 2:
   /// for results that will be mapped, so that distinct points stay distinct.
   double Quantum = 0.0;
+  /// Whether contours cross the planes at the same places, to the last bit, if they run the other
+  /// way, as those of a structure on the other side of a common border do.
+  bool BothWays = false;
   /// Distance of neighbouring numbers of the precision at the largest coordinate of each axis.
   Point3 Step{ 0.0, 0.0, 0.0 };
   /// Length of the box around all contours along each axis; where it is zero, the greatest of the

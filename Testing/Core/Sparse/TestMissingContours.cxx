@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Sparse/MissingContours.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/Planar/UncrossCurves.h"
 #include "Core/Reconstruct.h"
 #include "Core/Sparse/InterpolatePolygon.h"

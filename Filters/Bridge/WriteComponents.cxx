@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bridge/WriteComponents.h"
+
+#include "Bridge/VisitTriangles.h"
+#include "Core/Surface/MeasureComponents.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkTable.h"
+
+namespace orthoslices
+{
+namespace
+{
+template <typename Array>
+Array* AddColumn(vtkTable* table, const char* name)
+{
+  vtkNew<Array> column;
+  column->SetName(name);
+  table->AddColumn(column);
+  return column; // owned by the table from here on
+}
+}
+
+void WriteComponentTable(vtkPolyData* surface, vtkTable* table)
+{
+  auto* ids = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("ComponentId"));
+  auto* number =
+    vtkIdTypeArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray("NumberOfComponents"));
+  std::vector<ComponentMeasure> measures;
+  VisitTriangles(surface,
+    [&](const auto* xyz, const auto* triangles, vtkIdType count)
+    {
+      measures = MeasureComponents(
+        xyz, triangles, count, ids->GetPointer(0), static_cast<int>(number->GetValue(0)));
+    });
+  auto* component = AddColumn<vtkIntArray>(table, "ComponentId");
+  auto* area = AddColumn<vtkDoubleArray>(table, "Area");
+  auto* volume = AddColumn<vtkDoubleArray>(table, "Volume");
+  vtkDoubleArray* centroid[3] = { AddColumn<vtkDoubleArray>(table, "CentroidX"),
+    AddColumn<vtkDoubleArray>(table, "CentroidY"), AddColumn<vtkDoubleArray>(table, "CentroidZ") };
+  auto* triangles = AddColumn<vtkIdTypeArray>(table, "Triangles");
+  for (std::size_t i = 0; i < measures.size(); ++i)
+  {
+    component->InsertNextValue(static_cast<int>(i));
+    area->InsertNextValue(measures[i].Area);
+    volume->InsertNextValue(measures[i].Volume);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      centroid[axis]->InsertNextValue(measures[i].Centroid[axis]);
+    }
+    triangles->InsertNextValue(measures[i].Triangles);
+  }
+}
+}

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesWriteComponents_h
+#define OrthoSlicesWriteComponents_h
+
+class vtkPolyData;
+class vtkTable;
+
+namespace orthoslices
+{
+/// Port 7: area, volume and centroid of each component of the finished surface.
+/// REQUIRES: cell data "ComponentId" and field data "NumberOfComponents".
+void WriteComponentTable(vtkPolyData* surface, vtkTable* table);
+}
+
+#endif

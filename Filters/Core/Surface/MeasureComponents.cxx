@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surface/MeasureComponents.h"
+
+#include "Core/Base/Box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace orthoslices
+{
+namespace
+{
+/// A number that stands for an edge, whichever way it is passed (the finalizer of splitmix64).
+std::uint64_t HashOfEdge(std::uint64_t a, std::uint64_t b)
+{
+  std::uint64_t hash = std::min(a, b) * 0x9e3779b97f4a7c15u + std::max(a, b);
+  hash = (hash ^ (hash >> 30)) * 0xbf58476d1ce4e5b9u;
+  hash = (hash ^ (hash >> 27)) * 0x94d049bb133111ebu;
+  return hash ^ (hash >> 31);
+}
+
+/// What is summed up over the triangles of one component.
+struct Sums
+{
+  Box3 Bounds;
+  Point3 Origin{ 0.0, 0.0, 0.0 };
+  double Area = 0.0;
+  double SixfoldVolume = 0.0;
+  Point3 AreaMoment{ 0.0, 0.0, 0.0 };   ///< three times the integral of the position over the area
+  Point3 VolumeMoment{ 0.0, 0.0, 0.0 }; ///< 24 times that over the volume
+  std::uint64_t Edges = 0; ///< forwards minus backwards; not 0 if an edge has no counterpart
+  std::int64_t Triangles = 0;
+
+  void Add(const Point3& a, const Point3& b, const Point3& c);
+  void AddEdge(std::uint64_t from, std::uint64_t to)
+  {
+    const std::uint64_t hash = HashOfEdge(from, to);
+    this->Edges += from < to ? hash : std::uint64_t(0) - hash;
+  }
+};
+
+void Sums::Add(const Point3& a, const Point3& b, const Point3& c)
+{
+  const Point3 sum = a + b + c;
+  const double area = 0.5 * Length(Cross(b - a, c - a));
+  const double volume = Dot(a, Cross(b, c));
+  this->Area += area;
+  this->SixfoldVolume += volume;
+  this->AreaMoment = this->AreaMoment + area * sum;
+  this->VolumeMoment = this->VolumeMoment + volume * sum;
+  ++this->Triangles;
+}
+
+ComponentMeasure MeasureOf(const Sums& sums)
+{
+  ComponentMeasure measure;
+  measure.Triangles = sums.Triangles;
+  measure.Area = sums.Area;
+  measure.Centroid = sums.Origin;
+  const bool closed = sums.Edges == 0;
+  measure.Volume = closed ? sums.SixfoldVolume / 6.0 : std::numeric_limits<double>::quiet_NaN();
+  // What encloses nothing but rounding has no middle of its volume.
+  const double rounding = 1e-12 * std::pow(sums.Area, 1.5);
+  if (closed && std::abs(sums.SixfoldVolume) > rounding)
+  {
+    measure.Centroid = sums.Origin + (0.25 / sums.SixfoldVolume) * sums.VolumeMoment;
+  }
+  else if (sums.Area > 0.0)
+  {
+    measure.Centroid = sums.Origin + (1.0 / (3.0 * sums.Area)) * sums.AreaMoment;
+  }
+  return measure;
+}
+}
+
+template <typename Coordinate, typename Id>
+std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const Id* triangles,
+  std::int64_t triangleCount, const int* components, int count)
+{
+  const auto point = [&](Id id)
+  {
+    const Coordinate* p = points + 3 * static_cast<std::int64_t>(id);
+    return Point3{ static_cast<double>(p[0]), static_cast<double>(p[1]),
+      static_cast<double>(p[2]) };
+  };
+  std::vector<Sums> sums(count);
+  const auto visit = [&](auto&& add)
+  {
+    for (std::int64_t i = 0; i < triangleCount; ++i)
+    {
+      if (components[i] >= 0 && components[i] < count)
+      {
+        add(triangles + 3 * i, sums[components[i]]);
+      }
+    }
+  };
+  visit(
+    [&](const Id* ids, Sums& sum)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        sum.Bounds.Add(point(ids[i]));
+        sum.AddEdge(ids[i], ids[(i + 1) % 3]);
+      }
+    });
+  for (Sums& sum : sums)
+  {
+    if (sum.Bounds.Low[0] <= sum.Bounds.High[0])
+    {
+      sum.Origin = Between(sum.Bounds.Low, sum.Bounds.High, 0.5);
+    }
+  }
+  visit(
+    [&](const Id* ids, Sums& sum) {
+      sum.Add(point(ids[0]) - sum.Origin, point(ids[1]) - sum.Origin, point(ids[2]) - sum.Origin);
+    });
+  std::vector<ComponentMeasure> measures(count);
+  std::transform(sums.begin(), sums.end(), measures.begin(), MeasureOf);
+  return measures;
+}
+
+#define ORTHOSLICES_DEFINE(Coordinate, Id)                  \
+  template std::vector<ComponentMeasure> MeasureComponents( \
+    const Coordinate*, const Id*, std::int64_t, const int*, int);
+ORTHOSLICES_DEFINE(float, std::int32_t)
+ORTHOSLICES_DEFINE(float, long long)
+ORTHOSLICES_DEFINE(double, std::int32_t)
+ORTHOSLICES_DEFINE(double, long long)
+#undef ORTHOSLICES_DEFINE
+}
