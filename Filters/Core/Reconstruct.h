@@ -39,6 +39,9 @@ namespace orthoslices
  *   BuildInnerPatches   smooth patches, or the paper's                           (section 5)
  *   LayOutTriangles     all patches as triangles                                 (section 5)
  *
+ * One family of slices can be asked to end half a slice farther (EndCaps): then the stack has copies of
+ * its first and last contours from AddEndSlices on, before RegisterCrossings, on virtual planes.
+ *
  * Where slices are too few (Options::Virtual, SliceDensity), what they make is a first surface only,
  * with triangles no smaller than the next step needs:
  *
