@@ -271,8 +271,11 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   {
     done = this->ReconstructAll(std::move(sorted), options, outputs);
   }
-  orthoslices::CarryFieldData(
-    this->ListInputs(), vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1));
+  if (done)
+  {
+    orthoslices::CarryFieldData(
+      this->ListInputs(), vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1));
+  }
   return done ? 1 : 0;
 }
 
@@ -637,8 +640,11 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
   vtkPolyData* graph = vtkPolyData::GetData(outputs, 1);
   orthoslices::WriteGraph(result, doublePrecision, graph);
+  // With labels, the array "Label" is that of the labels.
+  const bool ownsLabel = this->UsesLabels() && std::string(this->LabelArray) != "Label";
   orthoslices::ArrayCarrier carrier(
-    this->PassCellArrays ? this->ListInputs() : std::vector<vtkDataObject*>(), result);
+    this->PassCellArrays ? this->ListInputs() : std::vector<vtkDataObject*>(), result,
+    ownsLabel ? "Label" : "");
   carrier.AddToGraph(result, graph->GetCellData());
   carrier.ChooseContours(result, orthoslices::ExecuteWithVtk(this));
   this->UpdateProgress(ProgressBeforeSurface);

@@ -341,6 +341,35 @@ TEST(CarriedArrays, NothingOfOursIsReplacedAndNothingMixedUp)
 }
 
 //----------------------------------------------------------------------------
+TEST(CarriedArrays, EachStructureHasThoseOfItsContours)
+{
+  FilterRun run;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    auto slices = CarryingSlices(TorusSlices()[axis]);
+    const auto structure = NewArray<vtkIntArray>("Structure", slices->GetNumberOfCells());
+    const auto label = NewArray<vtkIntArray>("Label", slices->GetNumberOfCells());
+    structure->Fill(4);
+    label->Fill(9);
+    slices->GetCellData()->AddArray(structure);
+    slices->GetCellData()->AddArray(label);
+    AddField(slices, "Patient", 5.0);
+    run.Filter->SetInputData(axis, slices);
+  }
+  run.Filter->SetLabelArray("Structure");
+  vtkPolyData* surface = run.Update();
+  ExpectValuesOfSlices(run.Filter->GetGraphOutput());
+  ASSERT_GT(surface->GetNumberOfCells(), 0);
+  for (vtkIdType i = 0; i < surface->GetNumberOfCells(); ++i)
+  {
+    EXPECT_EQ(ValueAt(surface, "Label", i), 4.0);
+    EXPECT_EQ(ValueAt(surface, "Structure", i), 4.0);
+    EXPECT_EQ(ValueAt(surface, "InputLabel", i), 9.0);
+  }
+  EXPECT_EQ(FieldOf(surface, "Patient"), 5.0);
+}
+
+//----------------------------------------------------------------------------
 TEST(CarriedArrays, BlocksOfAGroupHaveTheirOwn)
 {
   vtkNew<vtkMultiBlockDataSet> group;

@@ -23,17 +23,10 @@ constexpr std::size_t NotOnSurface = static_cast<std::size_t>(-1);
 constexpr const char* OwnNames[] = { "Kind", "Disagreement", "SliceAxis", "SlicePlane", "Length",
   "ComponentId", "RepairSize", "Virtual", "GridCell", "PolygonSize", "Repaired" };
 
-template <std::size_t Count>
-bool IsAmong(const std::string& name, const char* const (&names)[Count])
-{
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
-}
-
 /// Whether the array says on which slice a contour of vtkOrthogonalSlicer lies.
 bool IsOfSlicer(const std::string& name)
 {
-  constexpr const char* names[] = { "PlaneIndex", "PlaneCoordinate" };
-  return IsAmong(name, names);
+  return name == "PlaneIndex" || name == "PlaneCoordinate";
 }
 
 /// Fills a new array with tuples of the contours.
@@ -103,17 +96,20 @@ std::vector<std::int64_t> SourcesWith(
 }
 }
 
-ArrayCarrier::ArrayCarrier(const std::vector<vtkDataObject*>& inputs, const Reconstruction& result)
+ArrayCarrier::ArrayCarrier(const std::vector<vtkDataObject*>& inputs, const Reconstruction& result,
+  const std::string& ownName)
   : Arrays(ReadContourArrays(inputs, result.Sources))
 {
-  std::set<std::string> taken(std::begin(OwnNames), std::end(OwnNames));
+  std::set<std::string> own(std::begin(OwnNames), std::end(OwnNames));
+  own.insert(ownName);
+  std::set<std::string> taken = own;
   for (const ContourArray& array : this->Arrays)
   {
     taken.insert(array.Name);
   }
   for (ContourArray& array : this->Arrays)
   {
-    if (IsAmong(array.Name, OwnNames))
+    if (own.count(array.Name) > 0)
     {
       while (!taken.insert(array.Name).second)
       {

@@ -29,8 +29,10 @@ struct Reconstruction;
 class ArrayCarrier
 {
 public:
+  /// `ownName` is the name of one more array of their own; empty if there is none.
   /// REQUIRES: ReconstructSorted made the result, from what ReadPieces reads of the inputs of all ports.
-  ArrayCarrier(const std::vector<vtkDataObject*>& inputs, const Reconstruction& result);
+  ArrayCarrier(const std::vector<vtkDataObject*>& inputs, const Reconstruction& result,
+    const std::string& ownName = std::string());
 
   /// Chooses the contour of each patch. To be called before the result is consumed.
   void ChooseContours(const Reconstruction& result, const Execution& execution);
