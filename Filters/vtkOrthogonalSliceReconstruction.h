@@ -224,6 +224,7 @@ class vtkTable;
 namespace orthoslices
 {
 struct ContourLabels;
+struct FrameOptions;
 struct Options;
 struct Polylines;
 struct Reconstruction;
@@ -767,6 +768,7 @@ private:
   bool CheckInputs(vtkInformationVector** inputs);
   orthoslices::SortedSlices SortInputs(vtkInformationVector** inputs) const;
   bool NeedsDoublePrecision(vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
+  orthoslices::FrameOptions GetFrameOptions() const;
   void GetOptions(orthoslices::Options& options) const;
   orthoslices::ContourLabels ReadLabels(
     vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);

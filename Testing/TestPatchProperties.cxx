@@ -151,6 +151,7 @@ TEST(PatchProperties, NumbersThatAreNoneAreErrors)
     { "CornerAngle", [none](Filter* f) { f->SetCornerAngle(none); } },
     { "Smoothing", [none](Filter* f) { f->SetSmoothing(none); } },
     { "ContourTolerance", [none](Filter* f) { f->SetContourTolerance(none); } },
+    { "RedrawnTolerance", [none](Filter* f) { f->SetRedrawnTolerance(none); } },
   };
   const PieceSets sets = SlicesOf(SmoothEllipsoid(), 6);
   for (const auto& change : changes)
