@@ -80,10 +80,10 @@ TEST(Reconstruct, RefusesWithTheListOfProblems)
   ASSERT_EQ(refused.Invalid.size(), 1u);
   EXPECT_EQ(refused.Invalid[0].Kind, ProblemKind::NotFinite);
   EXPECT_EQ(refused.Invalid[0].Port, 0);
-  EXPECT_TRUE(refused.CrossingProblems.empty());
-  ASSERT_EQ(refused.Mended.size(), 1u);
-  EXPECT_EQ(refused.Mended[0].Kind, ProblemKind::LoopSplit);
-  EXPECT_EQ(refused.Mended[0].Port, 2);
+  EXPECT_TRUE(refused.Mended.empty());
+  ASSERT_EQ(refused.CrossingProblems.size(), 1u);
+  EXPECT_EQ(refused.CrossingProblems[0].Kind, ProblemKind::CrossesItself);
+  EXPECT_EQ(refused.CrossingProblems[0].Port, 2);
   for (const auto crossing : { CrossingContours::Repair, CrossingContours::LeaveOut })
   {
     Options options;

@@ -208,7 +208,8 @@ def check_parallel():
         heights.append(surface.GetBounds()[5] - surface.GetBounds()[4])
     planes = 32  # of the slicer, at equal distances
     ratio = heights[1] / heights[0]
-    check(abs(ratio - planes / (planes - 1)) < 1e-3, f"with half slices {ratio} times as high")
+    # Tops end up to two hundredths of a spacing before the bounds of the surface.
+    check(abs(ratio - planes / (planes - 1)) < 0.05 / planes, f"half slices: {ratio} times as high")
     parallel.EndCaps = "Dome"
     parallel.Correspondence = "Spanning Tree"
     check_closed(fetch(parallel), components=1)
