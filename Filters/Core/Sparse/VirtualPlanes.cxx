@@ -22,7 +22,8 @@ constexpr double WideSlab = 1.4;
 constexpr Index FewAgainstMany = 3;
 /// Across so many planes a surface can bend,
 constexpr Index EnoughPlanes = 8;
-/// and across so many where a few slices across guide it.
+/// and across so many where a few slices across guide it, all of one family: those of two families cut
+/// the stack into cells whose patches are as near to the object as the surface of so few slices.
 constexpr Index EnoughGuidedPlanes = 5;
 /// As few slices across guide a stack of any height.
 constexpr Index FewAcross = 2;
@@ -42,7 +43,7 @@ double DensestSpacing(const SpatialGrid& grid)
   return least;
 }
 
-/// The axis with EnoughGuidedPlanes, each other one having few against it, and both together some: at
+/// The axis with enough planes, each other one having few against it, and both together some: at
 /// most FewAcross, or one for FewAgainstMany; -1 if there is none.
 int FindStack(const SpatialGrid& grid)
 {
@@ -50,7 +51,8 @@ int FindStack(const SpatialGrid& grid)
   {
     const Index one = grid.Count(FirstAxis(axis)), other = grid.Count(SecondAxis(axis));
     const Index part = grid.Count(axis) / FewAgainstMany;
-    if (grid.Count(axis) >= EnoughGuidedPlanes && one + other > 0 && std::max(one, other) <= part &&
+    const Index enough = std::min(one, other) > 0 ? EnoughPlanes : EnoughGuidedPlanes;
+    if (grid.Count(axis) >= enough && one + other > 0 && std::max(one, other) <= part &&
       one + other <= std::max(FewAcross, part))
     {
       return axis;

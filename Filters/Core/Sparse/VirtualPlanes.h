@@ -25,7 +25,8 @@ using VirtualPlanes = std::array<std::vector<double>, 3>;
  *   long as wide, and patches from the contours around them are as good as any.
  * - But where all families have fewer than eight slices, these are not enough for a surface to bend from
  *   one to the next, and nothing is sparse; except in stacks of at least five slices with a few
- *   across, one or two, or at most a third as many: these show how the object goes on and ends.
+ *   across of one family, one or two, or at most a third as many: these show how the object goes on
+ *   and ends. With slices across of two families, a stack takes eight.
  *
  * In sparse slabs, planes are to be as far apart as those of the densest axis, but at most a twelfth
  * and at least a 64th of the extent of their own axis, so that a fine stack does not multiply the

@@ -184,7 +184,9 @@ TEST(VirtualPlanes, FewSlicesWithFewAcrossGetNone)
     EXPECT_FALSE(SlicedBox(Cube, { 1, 0, count }).IsSparse()) << count;
     EXPECT_TRUE(SlicedBox(Cube, { 0, 0, count }).IsSparse()) << count;
   }
-  EXPECT_TRUE(SlicedBox(Cube, { 1, 1, 5 }).IsSparse());
+  EXPECT_FALSE(
+    SlicedBox(Cube, { 1, 1, 5 }).IsSparse()); // across in two directions, they know enough
+  EXPECT_TRUE(SlicedBox(Cube, { 1, 1, 8 }).IsSparse());
   EXPECT_TRUE(SlicedBox(Cube, { 0, 1, 5 }).IsSparse());
   EXPECT_FALSE(SlicedBox(Cube, { 1, 1, 1 }).IsSparse());
   EXPECT_FALSE(SlicedBox(Cube, { 1, 1, 2 }).IsSparse()); // not a stack
@@ -201,7 +203,9 @@ TEST(VirtualPlanes, StacksHaveFewSlicesAcross)
     const SlicedBox box(Cube, count);
     return SliceDensity(box.Grid, box.Box).StackAxis();
   };
-  EXPECT_EQ(stackOf({ 1, 1, 5 }), 2);
+  EXPECT_EQ(stackOf({ 0, 1, 5 }), 2);
+  EXPECT_EQ(stackOf({ 1, 1, 7 }), -1);
+  EXPECT_EQ(stackOf({ 1, 1, 8 }), 2);
   EXPECT_EQ(stackOf({ 5, 1, 0 }), 0);
   EXPECT_EQ(stackOf({ 2, 8, 0 }), 1);
   EXPECT_EQ(stackOf({ 2, 2, 12 }), 2);
