@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/WriteComponents.h"
 
+#include "Bridge/AddColumn.h"
 #include "Bridge/VisitTriangles.h"
 #include "Core/Surface/MeasureComponents.h"
 
@@ -9,23 +10,10 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkTable.h"
 
 namespace orthoslices
 {
-namespace
-{
-template <typename Array>
-Array* AddColumn(vtkTable* table, const char* name)
-{
-  vtkNew<Array> column;
-  column->SetName(name);
-  table->AddColumn(column);
-  return column; // owned by the table from here on
-}
-}
-
 void WriteComponentTable(vtkPolyData* surface, vtkTable* table)
 {
   auto* ids = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("ComponentId"));

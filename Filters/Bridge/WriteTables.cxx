@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/WriteTables.h"
 
+#include "Bridge/AddColumn.h"
 #include "Bridge/DescribeProblems.h"
 #include "Core/Reconstruction.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
@@ -20,10 +20,8 @@ namespace orthoslices
 void WriteHistogram(const Reconstruction& result, vtkTable* table)
 {
   const std::vector<Index>& histogram = result.PolygonSizes;
-  vtkNew<vtkIdTypeArray> size;
-  vtkNew<vtkIdTypeArray> count;
-  size->SetName("PolygonSize");
-  count->SetName("Count");
+  auto* size = AddColumn<vtkIdTypeArray>(table, "PolygonSize");
+  auto* count = AddColumn<vtkIdTypeArray>(table, "Count");
   const auto smallest =
     std::find_if(histogram.begin(), histogram.end(), [](Index n) { return n > 0; });
   for (auto i = smallest; i != histogram.end(); ++i)
@@ -31,22 +29,10 @@ void WriteHistogram(const Reconstruction& result, vtkTable* table)
     size->InsertNextValue(i - histogram.begin());
     count->InsertNextValue(*i);
   }
-  table->AddColumn(size);
-  table->AddColumn(count);
 }
 
 namespace
 {
-/// A table that is filled row by row; all columns are double but those that count.
-template <typename Array>
-Array* AddColumn(vtkTable* table, const char* name)
-{
-  vtkNew<Array> column;
-  column->SetName(name);
-  table->AddColumn(column);
-  return column; // owned by the table from here on
-}
-
 /// The columns that both tables end with.
 struct AgreementColumns
 {
