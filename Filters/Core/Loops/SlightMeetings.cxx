@@ -14,6 +14,10 @@ namespace
 /// that.
 constexpr double MostInLobes = 0.25;
 
+/// Loops that are meant to meet make about one face more than there are loops where two cross. With so
+/// many more faces than twice the loops, noise has made them, whatever their areas.
+constexpr Index MostFaces = 16;
+
 /// Whether a walk surrounds most once and in one direction, and the rest in little lobes.
 bool AreWalksPlain(const LoopWindings& windings)
 {
@@ -85,6 +89,10 @@ bool AreWalksApart(const LoopWindings& windings)
 bool AreMeetingsSlight(const LoopWindings& windings)
 {
   const PlaneFaces& graph = windings.GetGraph();
+  if (graph.CountFaces() > MostFaces + 2 * windings.CountWalks())
+  {
+    return true;
+  }
   if (!AreWalksPlain(windings) || !AreWalksApart(windings))
   {
     return false;
