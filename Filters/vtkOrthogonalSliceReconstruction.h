@@ -492,8 +492,8 @@ public:
    * there are no virtual slices in the outputs. None are added to a surface that is inside out.
    *
    * Automatic (default): on the axes of missing families, and where a family has three times the
-   * planes of another and 8 or more (5, if there are no others), between planes of the other one that are farther apart than 0.117
-   * of the extent. Virtual planes are as far apart as the slices of the densest family, at most a
+   * planes of another and 8 or more (5, if there are no others), between planes of the other one that
+   * are farther apart than 0.117 of the extent. Virtual planes are as far apart as the slices of the densest family, at most a
    * twelfth and at least a 64th of the extent along their axis. Three families with about as many
    * slices each get none. Off: none. By spacing: as far apart as VirtualSliceSpacing says, in world
    * units, wherever slices are farther apart than 1.4 times that. Valid range of the spacing: 0 (as
