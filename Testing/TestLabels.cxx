@@ -458,6 +458,19 @@ vtkSmartPointer<vtkImageData> LabelImage()
   }
   return image;
 }
+
+/// The surfaces of all labels, from so many slices on each axis.
+vtkPolyData* ReconstructEveryLabel(vtkOrthogonalSlicer* slicer, int slices, FilterRun& run)
+{
+  slicer->EveryLabelOn();
+  slicer->SetNumberOfSlices(slices, slices, slices);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    run.Filter->SetInputConnection(axis, slicer->GetOutputPort(axis));
+  }
+  run.Filter->SetLabelArray("Label");
+  return run.Update();
+}
 }
 
 TEST(Labels, FromAnImageOfLabels)
@@ -465,15 +478,8 @@ TEST(Labels, FromAnImageOfLabels)
   const auto image = LabelImage();
   vtkNew<vtkOrthogonalSlicer> slicer;
   slicer->SetInputData(image);
-  slicer->EveryLabelOn();
-  slicer->SetNumberOfSlices(41, 41, 41);
   FilterRun run;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    run.Filter->SetInputConnection(axis, slicer->GetOutputPort(axis));
-  }
-  run.Filter->SetLabelArray("Label");
-  vtkPolyData* surface = run.Update();
+  vtkPolyData* surface = ReconstructEveryLabel(slicer, 41, run);
   ASSERT_TRUE(run.Errors.empty()) << run.Errors[0];
   EXPECT_NE(vtkUnsignedCharArray::SafeDownCast(surface->GetCellData()->GetArray("Label")), nullptr);
   // The label around the small ball has an outer surface and a cavity.
@@ -525,15 +531,8 @@ TEST(Labels, CommonBordersAreTheSameTriangles)
 {
   vtkNew<vtkOrthogonalSlicer> slicer;
   slicer->SetInputData(LabelImage());
-  slicer->EveryLabelOn();
-  slicer->SetNumberOfSlices(20, 20, 20);
   FilterRun run;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    run.Filter->SetInputConnection(axis, slicer->GetOutputPort(axis));
-  }
-  run.Filter->SetLabelArray("Label");
-  vtkPolyData* surface = run.Update();
+  vtkPolyData* surface = ReconstructEveryLabel(slicer, 20, run);
   ASSERT_TRUE(run.Errors.empty()) << run.Errors[0];
   const auto left = TrianglesOf(surface, 3), right = TrianglesOf(surface, 4);
   double area = 0.0;
