@@ -29,18 +29,14 @@ void WriteComponentTable(vtkPolyData* surface, vtkTable* table)
   auto* component = AddColumn<vtkIntArray>(table, "ComponentId");
   auto* area = AddColumn<vtkDoubleArray>(table, "Area");
   auto* volume = AddColumn<vtkDoubleArray>(table, "Volume");
-  vtkDoubleArray* centroid[3] = { AddColumn<vtkDoubleArray>(table, "CentroidX"),
-    AddColumn<vtkDoubleArray>(table, "CentroidY"), AddColumn<vtkDoubleArray>(table, "CentroidZ") };
+  PointColumns centroid(table, { "CentroidX", "CentroidY", "CentroidZ" });
   auto* triangles = AddColumn<vtkIdTypeArray>(table, "Triangles");
   for (std::size_t i = 0; i < measures.size(); ++i)
   {
     component->InsertNextValue(static_cast<int>(i));
     area->InsertNextValue(measures[i].Area);
     volume->InsertNextValue(measures[i].Volume);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      centroid[axis]->InsertNextValue(measures[i].Centroid[axis]);
-    }
+    centroid.InsertNext(measures[i].Centroid);
     triangles->InsertNextValue(measures[i].Triangles);
   }
 }
