@@ -21,6 +21,7 @@
 #include "Core/Patches/SharedPatches.h"
 #include "Core/ReconstructSorted.h"
 
+#include "vtkCellData.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -31,6 +32,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -332,6 +334,30 @@ std::vector<vtkDataObject*> vtkOrthogonalSliceReconstruction::ListInputs()
     inputs.push_back(isConnected ? this->GetInputDataObject(port, 0) : nullptr);
   }
   return inputs;
+}
+
+vtkStringArray* vtkOrthogonalSliceReconstruction::GetCellArrayNames()
+{
+  std::set<std::string> names;
+  for (vtkDataObject* input : this->ListInputs())
+  {
+    orthoslices::VisitPolyData(input,
+      [&](vtkPolyData* data, orthoslices::Index)
+      {
+        for (int i = 0; i < data->GetCellData()->GetNumberOfArrays(); ++i)
+        {
+          const char* name = data->GetCellData()->GetArrayName(i);
+          names.insert(name != nullptr ? name : "");
+        }
+      });
+  }
+  names.erase("");
+  this->CellArrayNames->Reset();
+  for (const std::string& name : names)
+  {
+    this->CellArrayNames->InsertNextValue(name);
+  }
+  return this->CellArrayNames;
 }
 
 /// There are contours on some port, and not too many. Empty ports are as good as unconnected ones.
