@@ -495,7 +495,8 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
     arrays, reportTolerance, surface);
   carrier.AddToSurface(surface->GetCellData());
   orthoslices::CutAtBorder(openBorder, surface);
-  orthoslices::WriteComponentTable(surface, vtkTable::GetData(outputs, 7));
+  const bool mayBeOpen = this->BorderContours == LEAVE_OPEN_AT_BORDER;
+  orthoslices::WriteComponentTable(surface, mayBeOpen, vtkTable::GetData(outputs, 7));
   this->UpdateProgress(1.0);
 }
 

@@ -14,7 +14,7 @@
 
 namespace orthoslices
 {
-void WriteComponentTable(vtkPolyData* surface, vtkTable* table)
+void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, vtkTable* table)
 {
   auto* ids = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("ComponentId"));
   auto* number =
@@ -23,8 +23,8 @@ void WriteComponentTable(vtkPolyData* surface, vtkTable* table)
   VisitTriangles(surface,
     [&](const auto* xyz, const auto* triangles, vtkIdType count)
     {
-      measures = MeasureComponents(
-        xyz, triangles, count, ids->GetPointer(0), static_cast<int>(number->GetValue(0)));
+      measures = MeasureComponents(xyz, triangles, count, ids->GetPointer(0),
+        static_cast<int>(number->GetValue(0)), mayBeOpen);
     });
   auto* component = AddColumn<vtkIntArray>(table, "ComponentId");
   auto* area = AddColumn<vtkDoubleArray>(table, "Area");
