@@ -74,8 +74,8 @@ int AxisOf(const FuzzPiece& piece, int coordinate)
   return coordinate == 0 ? FirstAxis(piece.Axis) : SecondAxis(piece.Axis);
 }
 
-/// Sides no longer than 1, as far as integers allow: what has a gap twice as long as its sides lacks only its last
-/// one.
+/// Sides no longer than 1, as far as integers allow: a contour whose gap is no more than twice as long
+/// as its sides only lacks the last one.
 void DivideSides(std::vector<FuzzVertex>& vertices)
 {
   for (std::size_t i = 0; i + 1 < vertices.size();)
