@@ -21,6 +21,7 @@
 #include "Core/Patches/SharedPatches.h"
 #include "Core/ReconstructSorted.h"
 
+#include "vtkCellData.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -31,6 +32,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -334,6 +336,30 @@ std::vector<vtkDataObject*> vtkOrthogonalSliceReconstruction::ListInputs()
   return inputs;
 }
 
+vtkStringArray* vtkOrthogonalSliceReconstruction::GetCellArrayNames()
+{
+  std::set<std::string> names;
+  for (vtkDataObject* input : this->ListInputs())
+  {
+    orthoslices::VisitPolyData(input,
+      [&](vtkPolyData* data, orthoslices::Index)
+      {
+        for (int i = 0; i < data->GetCellData()->GetNumberOfArrays(); ++i)
+        {
+          const char* name = data->GetCellData()->GetArrayName(i);
+          names.insert(name != nullptr ? name : "");
+        }
+      });
+  }
+  names.erase("");
+  this->CellArrayNames->Reset();
+  for (const std::string& name : names)
+  {
+    this->CellArrayNames->InsertNextValue(name);
+  }
+  return this->CellArrayNames;
+}
+
 /// There are contours on some port, and not too many. Empty ports are as good as unconnected ones.
 bool vtkOrthogonalSliceReconstruction::CheckInputs(vtkInformationVector** inputs)
 {
@@ -469,7 +495,8 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
     arrays, reportTolerance, surface);
   carrier.AddToSurface(surface->GetCellData());
   orthoslices::CutAtBorder(openBorder, surface);
-  orthoslices::WriteComponentTable(surface, vtkTable::GetData(outputs, 7));
+  const bool mayBeOpen = this->BorderContours == LEAVE_OPEN_AT_BORDER;
+  orthoslices::WriteComponentTable(surface, mayBeOpen, vtkTable::GetData(outputs, 7));
   this->UpdateProgress(1.0);
 }
 

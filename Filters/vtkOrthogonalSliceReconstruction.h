@@ -212,7 +212,9 @@
 #define vtkOrthogonalSliceReconstruction_h
 
 #include "vtkFiltersOrthogonalSlicesModule.h" // for export macro
+#include "vtkNew.h"
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkStringArray.h"
 
 #include <functional>
 #include <string>
@@ -342,6 +344,12 @@ public:
   vtkSetStdStringFromCharMacro(LabelArray);
   vtkGetCharFromStdStringMacro(LabelArray);
   ///@}
+
+  /**
+   * The names that LabelArray may have: those of the cell arrays of all inputs, sorted. Inputs that
+   * were not updated yet have none.
+   */
+  vtkStringArray* GetCellArrayNames();
 
   ///@{
   /**
@@ -795,6 +803,7 @@ private:
   std::vector<vtkDataObject*> ListInputs();
 
   std::string LabelArray;
+  vtkNew<vtkStringArray> CellArrayNames; ///< see GetCellArrayNames
   double PlaneTolerance = 1e-5;
   int Orientation = ORIENT_BY_NESTING;
   int InvalidContours = MEND;

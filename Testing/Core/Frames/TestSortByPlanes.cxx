@@ -3,7 +3,6 @@
 #include "Core/Frames/SortByPlanes.h"
 
 #include "Core/Base/Box.h"
-#include "Support/AnalyticSolids.h"
 #include "Support/Random.h"
 #include "Support/SliceSolid.h"
 #include "Support/TurnedSlices.h"
@@ -19,16 +18,6 @@ using namespace orthoslices::support;
 
 namespace
 {
-const PieceSets& TorusSlices()
-{
-  static const PieceSets sets = []
-  {
-    const Solid solid = TiltedTorus();
-    return SliceSolid(solid, EqualPlanes(solid, { 7, 8, 9 }), 6, InPlaneGrid::Free);
-  }();
-  return sets;
-}
-
 double DiagonalOf(const Polylines& lines)
 {
   Box3 box;
