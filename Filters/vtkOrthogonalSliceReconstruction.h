@@ -790,8 +790,8 @@ private:
   std::string Report(orthoslices::Reconstruction& result) const;
   void WriteOutputs(
     orthoslices::Reconstruction&& result, bool doublePrecision, vtkInformationVector* outputs);
-  std::string CompareOthers(
-    const orthoslices::Polylines& others, vtkInformationVector* outputs) const;
+  std::string CompareOthers(const orthoslices::Polylines& others,
+    const std::vector<std::uint8_t>& guiding, vtkInformationVector* outputs) const;
   std::vector<vtkDataObject*> ListInputs();
 
   std::string LabelArray;

@@ -12,6 +12,7 @@
 #include "Core/Patches/InnerPatches.h"
 #include "Core/Pieces/ImageBorder.h"
 #include "Core/Slices/OrientContours.h"
+#include "Core/Sparse/GuideCurves.h"
 
 namespace orthoslices
 {
@@ -64,6 +65,8 @@ struct Options
   double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
   VirtualSlices Virtual = VirtualSlices::Off;
   double VirtualSpacing = 0.0; ///< with BySpacing, in world units; 0: as with Automatic
+  /// Contours on planes of no family, which guide the surface where virtual slices are made; or null.
+  const std::vector<GuideContours>* Guides = nullptr;
   /// Smaller ones are left out, by the diagonal of their bounding box as a fraction of that of all
   /// contours.
   double MinIsolatedContour = 0.0;

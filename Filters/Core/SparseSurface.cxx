@@ -30,6 +30,7 @@ private:
   bool Sketch(Pass& pass) const;
   bool FillFirst();
   bool BendStack();
+  bool BendAll();
   bool Bend(const Reconstruction& base, GuideCurves&& guides);
   bool Stop();
 
@@ -77,7 +78,44 @@ bool SparseRunner::BendStack()
   {
     return this->Stop();
   }
-  return this->Bend(stack.Result, CutGuides(this->Drawn, this->First.Result.Grid, axis));
+  GuideCurves guides = CutGuides(this->Drawn, this->First.Result.Grid, axis);
+  if (this->First.Settings.Guides != nullptr)
+  {
+    AddGuides(*this->First.Settings.Guides, guides);
+  }
+  return this->Bend(stack.Result, std::move(guides));
+}
+
+/// The surface of all slices bends, through the contours on planes of no family if it comes out with its
+/// topology so. Such planes are nearly parallel to a single family, and say nothing beside it.
+bool SparseRunner::BendAll()
+{
+  const std::vector<GuideContours>* others = this->First.Settings.Guides;
+  const auto& planes = this->First.Result.Grid.Planes;
+  if (others != nullptr && !others->empty() && FindOnlyFamily(this->First.Result.Grid) < 0)
+  {
+    GuideCurves guides{ -1, {}, planes, {} };
+    AddGuides(*others, guides);
+    if (this->Bend(this->First.Result, std::move(guides)))
+    {
+      return true;
+    }
+  }
+  return !this->First.Result.Stopped && this->Bend(this->First.Result, {});
+}
+
+/// Which of the planes of no family guide, which are the last of all guides.
+std::vector<std::uint8_t> ListGuiding(const Options& settings, const GuideCurves& guides)
+{
+  std::vector<std::uint8_t> guiding;
+  if (settings.Guides != nullptr && guides.Slices.size() >= settings.Guides->size())
+  {
+    for (std::size_t i = guides.Slices.size() - settings.Guides->size(); i < guides.Slices.size(); ++i)
+    {
+      guiding.push_back(guides.Slices[i].Guiding > 0 ? 1 : 0);
+    }
+  }
+  return guiding;
 }
 
 /// What a second surface has to come out as. Components that were too small are drawn nevertheless,
@@ -96,7 +134,7 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
   Execution execution = this->First.Execute;
   execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
   const Contours added = MakeVirtualSlices(
-    { GeometryOf(base), base.Surface, first.Grid, std::move(guides) }, this->Density, execution);
+    { GeometryOf(base), base.Surface, first.Grid, guides }, this->Density, execution);
   if (first.Stopped || added.Count() == 0)
   {
     return false;
@@ -118,6 +156,7 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
     return false;
   }
   TakeReport(first, leftOut, again.Result);
+  again.Result.Guiding = ListGuiding(this->First.Settings, guides);
   first = std::move(again.Result);
   return true;
 }
@@ -137,7 +176,7 @@ bool SparseRunner::Run()
   }
   this->First.SetShare(0.5, 0.66);
   const Reconstruction& result = this->First.Result;
-  const bool isDone = this->BendStack() || (!result.Stopped && this->Bend(result, {}));
+  const bool isDone = this->BendStack() || (!result.Stopped && this->BendAll());
   return !result.Stopped && (isDone || this->FillFirst());
 }
 }

@@ -41,7 +41,7 @@ bool RunSteps(const Steps& steps, const Execution& execution)
 
 /// Makes the surface a mesh of equal triangles, bent as little as possible. False if stopped.
 bool MakeFair(
-  const GuideCurves& guides, double edgeLength, const Execution& execution, SurfaceMesh& mesh)
+  GuideCurves& guides, double edgeLength, const Execution& execution, SurfaceMesh& mesh)
 {
   const auto collapse = [&] { CollapseShortEdges(edgeLength, mesh); };
   const auto flip = [&] { FlipEdges(mesh); };
@@ -134,7 +134,7 @@ Contours MakeVirtualSlices(
   const FairSource& source, const SliceDensity& density, const Execution& execution)
 {
   Contours contours;
-  GuideCurves guides = source.Guides;
+  GuideCurves& guides = source.Guides;
   SurfaceMesh mesh = MakeSurfaceMesh(source.Geometry, source.Surface, guides, execution);
   if (!MakeFair(guides, density.EdgeLength(), execution, mesh))
   {

@@ -11,13 +11,14 @@
 namespace orthoslices
 {
 /// What virtual slices are made from: a surface through the contours of all slices or of some, the
-/// planes of all of them, and the contours across of those that took no part in the surface.
+/// planes of all of them, and the contours of those that took no part in the surface, which are told
+/// whether they guide it.
 struct FairSource
 {
   const CycleGeometry& Geometry;
   const Patches& Surface;
   const SpatialGrid& Grid;
-  GuideCurves Guides;
+  GuideCurves& Guides;
 };
 
 /**

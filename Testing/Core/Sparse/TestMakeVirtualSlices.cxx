@@ -29,8 +29,9 @@ struct Sliced
     {
       box.Add(this->First.Graph.PointAt(i));
     }
+    GuideCurves none;
     this->Virtual =
-      MakeVirtualSlices({ GeometryOf(this->First), this->First.Surface, this->First.Grid, {} },
+      MakeVirtualSlices({ GeometryOf(this->First), this->First.Surface, this->First.Grid, none },
         SliceDensity(this->First.Grid, box), execution);
   }
 
