@@ -43,8 +43,7 @@ std::vector<std::vector<Point3>> MapLoops(
   {
     for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
     {
-      loops[contour].push_back(
-        frame.ToAxes(PointOn(plane, contours.U[i], contours.V[i])));
+      loops[contour].push_back(frame.ToAxes(PointOn(plane, contours.U[i], contours.V[i])));
     }
   }
   return loops;

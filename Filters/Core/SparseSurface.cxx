@@ -110,7 +110,8 @@ std::vector<std::uint8_t> ListGuiding(const Options& settings, const GuideCurves
   std::vector<std::uint8_t> guiding;
   if (settings.Guides != nullptr && guides.Slices.size() >= settings.Guides->size())
   {
-    for (std::size_t i = guides.Slices.size() - settings.Guides->size(); i < guides.Slices.size(); ++i)
+    for (std::size_t i = guides.Slices.size() - settings.Guides->size(); i < guides.Slices.size();
+         ++i)
     {
       guiding.push_back(guides.Slices[i].Guiding > 0 ? 1 : 0);
     }

@@ -88,8 +88,7 @@ Pieces LayOnPlane(const Polylines& lines, const OtherPlane& plane)
       const double height = Dot(plane.Normal, p);
       pieces.U.push_back(Dot(u, p));
       pieces.V.push_back(Dot(v, p));
-      pieces.W.push_back(
-        std::abs(height - plane.Offset) <= plane.Noise ? plane.Offset : height);
+      pieces.W.push_back(std::abs(height - plane.Offset) <= plane.Noise ? plane.Offset : height);
     }
     pieces.Offsets.push_back(static_cast<Index>(pieces.U.size()));
     pieces.Cell.push_back(line);

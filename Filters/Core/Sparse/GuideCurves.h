@@ -49,8 +49,8 @@ struct GuideSlice
 /// or that of all families.
 struct GuideCurves
 {
-  int StackAxis = -1;              ///< -1: the surface is that of several families
-  std::vector<double> StackPlanes; ///< of a stack, ascending
+  int StackAxis = -1;                        ///< -1: the surface is that of several families
+  std::vector<double> StackPlanes;           ///< of a stack, ascending
   std::array<std::vector<double>, 3> Planes; ///< of several families, ascending; of a stack, none
   std::vector<GuideSlice> Slices;
 

@@ -72,16 +72,14 @@ void SurfaceCut::Snap()
       continue;
     }
     const std::array<Index, 2> ends{ corners.StartOf(corner), corners.EndOf(corner) };
-    const double length =
-      std::abs(this->Height[ends[0]]) + std::abs(this->Height[ends[1]]);
+    const double length = std::abs(this->Height[ends[0]]) + std::abs(this->Height[ends[1]]);
     for (const Index end : ends)
     {
       const double share = this->Mesh.Fixed[end] ? RoundShare : SnapShare;
       if (std::abs(this->Height[end]) < share * length)
       {
         Point3& point = this->Mesh.Points[end];
-        point = this->Mesh.Fixed[end] ? point
-                                      : point - this->Height[end] * this->Plane.Normal;
+        point = this->Mesh.Fixed[end] ? point : point - this->Height[end] * this->Plane.Normal;
         this->Height[end] = 0.0;
         break;
       }
@@ -208,8 +206,8 @@ void SurfaceCut::Refine(Chain& chain, double longest)
     {
       SplitEdge(this->Mesh.Corners.FindEdge(from, to), 0.5, this->Mesh);
       this->Height.push_back(0.0);
-      chain.Points.insert(
-        chain.Points.begin() + static_cast<std::ptrdiff_t>(i) + 1, this->Mesh.Corners.PointCount() - 1);
+      chain.Points.insert(chain.Points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+        this->Mesh.Corners.PointCount() - 1);
     }
     else
     {
@@ -304,8 +302,7 @@ std::vector<Index> FindPartners(const std::vector<GuidePiece>& pieces,
 }
 }
 
-Index GuideSurface(
-  GuideCurves& guides, double reach, double edgeLength, SurfaceMesh& mesh)
+Index GuideSurface(GuideCurves& guides, double reach, double edgeLength, SurfaceMesh& mesh)
 {
   Index count = 0;
   for (GuideSlice& slice : guides.Slices)
@@ -314,8 +311,7 @@ Index GuideSurface(
     SurfaceCut cut(guides, slice.Plane, mesh);
     cut.Run();
     const std::vector<Chain> chains = cut.ListChains();
-    const std::vector<Index> partners =
-      FindPartners(slice.Pieces, chains, mesh.Points, reach);
+    const std::vector<Index> partners = FindPartners(slice.Pieces, chains, mesh.Points, reach);
     for (std::size_t i = 0; i < partners.size(); ++i)
     {
       if (partners[i] >= 0)

@@ -22,8 +22,7 @@ namespace orthoslices
  * each slice. Deterministic; time
  * is the number of slices times that of triangles, and of pieces of a slice squared.
  */
-Index GuideSurface(
-  GuideCurves& guides, double reach, double edgeLength, SurfaceMesh& mesh);
+Index GuideSurface(GuideCurves& guides, double reach, double edgeLength, SurfaceMesh& mesh);
 }
 
 #endif

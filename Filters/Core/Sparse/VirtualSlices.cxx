@@ -40,8 +40,7 @@ bool RunSteps(const Steps& steps, const Execution& execution)
 }
 
 /// Makes the surface a mesh of equal triangles, bent as little as possible. False if stopped.
-bool MakeFair(
-  GuideCurves& guides, double edgeLength, const Execution& execution, SurfaceMesh& mesh)
+bool MakeFair(GuideCurves& guides, double edgeLength, const Execution& execution, SurfaceMesh& mesh)
 {
   const auto collapse = [&] { CollapseShortEdges(edgeLength, mesh); };
   const auto flip = [&] { FlipEdges(mesh); };
