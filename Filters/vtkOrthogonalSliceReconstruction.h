@@ -38,8 +38,9 @@
  * right angles to each other, as far as noise lets one see, the surface is that of slices across x, y
  * and z, turned. Else coordinates along the axes are distances along the normals of the families, the
  * surface is made there, and mapped back by the inverse (see AxisFrame and ReconstructSorted in Core).
- * Contours on planes of no family take no part: a warning names them and says how far the surface is
- * from them.
+ * Contours on planes of no family are no slices. Where the surface bends from slice to slice
+ * (VirtualSlices), it bends through them, too. A warning names them and says whether they guide the
+ * surface, and how far it is from them.
  *
  * The planes may come in any order and spacing, with different numbers on each axis. Contours are
  * accepted as lines and polygons: closed polylines (first point repeated or not), polygons, open

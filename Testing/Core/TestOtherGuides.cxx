@@ -4,7 +4,7 @@
  * @file
  * @brief   contours on planes of no family guide the surface that bends between few slices
  *
- * A ball with a bump that no slice of the stack meets, nor either of two slices through its axis. A
+ * A ball with a dent that no slice of the stack meets, nor either of two slices through its axis. A
  * third one does.
  */
 
@@ -12,7 +12,11 @@
 
 #include "Support/CheckEmbedding.h"
 #include "Support/NearestTriangle.h"
+#include "Support/Random.h"
+#include "Support/RandomInput.h"
 #include "Support/ReconstructionMesh.h"
+#include "Support/SliceSolid.h"
+#include "Support/SparseSolids.h"
 #include "Support/Threads.h"
 #include "Support/TurnedSlices.h"
 
@@ -28,16 +32,16 @@ namespace
 {
 const double Pi = std::acos(-1.0);
 constexpr Index Points = 120;
-/// Where the bump is: between the stack's slices at 1/12 above and below that of the equator.
-const double BumpAngle = 2.0 * Pi / 3.0;
-constexpr double BumpHeight = 0.16;
+/// Where the dent is: between two of the stack's slices, at 1 / 8.
+const double DentAngle = 2.0 * Pi / 3.0;
+constexpr double DentDepth = 0.16;
 
 /// The point of the ball's surface at an angle around z and a latitude; the ball has a radius of 1.
 Point3 PointOfBall(double angle, double latitude)
 {
-  const double around = std::remainder(angle - BumpAngle, 2.0 * Pi) / 0.3;
-  const double along = (std::sin(latitude) - 1.0 / 6.0) / 0.08;
-  const double radius = 1.0 + BumpHeight * std::exp(-around * around - along * along);
+  const double around = std::remainder(angle - DentAngle, 2.0 * Pi) / 0.5;
+  const double along = (std::sin(latitude) - 1.0 / 8.0) / 0.1;
+  const double radius = 1.0 - DentDepth * std::exp(-around * around - along * along);
   return { radius * std::cos(angle) * std::cos(latitude),
     radius * std::sin(angle) * std::cos(latitude), std::sin(latitude) };
 }
@@ -99,7 +103,7 @@ Polylines Slices(int stack, const std::vector<double>& angles)
   return lines;
 }
 
-Reconstruction Run(const Polylines& lines, const Execution& execution = Execution())
+Reconstruction RunCore(const Polylines& lines, const Execution& execution = Execution())
 {
   Options options;
   options.Virtual = VirtualSlices::Automatic;
@@ -124,43 +128,40 @@ double DistanceFrom(const TriangleMesh& mesh, const std::vector<Point3>& points)
   return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
-/// Points of the true surface around the bump.
-std::vector<Point3> PointsOfBump()
+/// Points of the true surface around the dent.
+std::vector<Point3> PointsOfDent()
 {
   std::vector<Point3> points;
   for (int i = -10; i <= 10; ++i)
   {
     for (int j = -10; j <= 10; ++j)
     {
-      points.push_back(PointOfBall(BumpAngle + 0.03 * i, std::asin(1.0 / 6.0 + 0.008 * j)));
+      points.push_back(PointOfBall(DentAngle + 0.05 * i, std::asin(1.0 / 8.0 + 0.01 * j)));
     }
   }
   return points;
 }
 
-/// The two families that are no stack have the greatest contours: that with the bump is the third one.
-Polylines WithThirdPlane(int stack) { return Slices(stack, { 0.0, Pi / 3.0, 2.0 * Pi / 3.0 }); }
+/// Families have the greatest contours: the slice with the dent is of none.
+Polylines WithThirdPlane() { return Slices(8, { 0.0, Pi / 3.0, 2.0 * Pi / 3.0 }); }
 }
 
 //----------------------------------------------------------------------------
 TEST(OtherGuides, AThirdPlaneThroughAStackGuides)
 {
-  const std::vector<Point3> bump = PointsOfBump();
-  const Reconstruction without = Run(Slices(12, { 0.0, Pi / 3.0 }));
+  const std::vector<Point3> dent = PointsOfDent();
+  const Reconstruction without = RunCore(Slices(8, { 0.0, Pi / 3.0 }));
   EXPECT_TRUE(without.Guiding.empty());
-  const Polylines lines = WithThirdPlane(12);
+  const Polylines lines = WithThirdPlane();
   const SortedSlices sorted = SortByPlanes(lines, FrameOptions());
   ASSERT_EQ(sorted.Others.Count(), 1);
-  const Reconstruction result = Run(lines);
+  const Reconstruction result = RunCore(lines);
   EXPECT_EQ(result.Guiding, std::vector<std::uint8_t>{ 1 });
   const TriangleMesh mesh = MeshOf(result);
   EXPECT_EQ(DescribeFlaws(mesh), "");
-  std::vector<Point3> other;
-  for (Index i = 0; i < sorted.Others.Offsets.back(); ++i)
-  {
-    other.push_back(sorted.Others.PointAt(i));
-  }
-  EXPECT_LT(DistanceFrom(mesh, other), 0.25 * DistanceFrom(MeshOf(without), other));
+  EXPECT_LT(DistanceFrom(mesh, dent), 0.67 * DistanceFrom(MeshOf(without), dent));
+  const std::vector<Point3> other = CutThroughAxis(DentAngle);
+  EXPECT_LT(DistanceFrom(mesh, other), 0.4 * DistanceFrom(MeshOf(without), other));
 }
 
 //----------------------------------------------------------------------------
@@ -170,12 +171,12 @@ TEST(OtherGuides, SlicesAroundAnAxisGuide)
   std::vector<double> angles;
   for (int i = 0; i < 6; ++i)
   {
-    angles.push_back(BumpAngle + i * Pi / 6.0);
+    angles.push_back(DentAngle + i * Pi / 6.0);
   }
   const Polylines lines = Slices(0, angles);
   const SortedSlices sorted = SortByPlanes(lines, FrameOptions());
   ASSERT_EQ(sorted.Others.Count(), 4);
-  const Reconstruction result = Run(lines);
+  const Reconstruction result = RunCore(lines);
   EXPECT_EQ(result.Guiding, std::vector<std::uint8_t>(4, 1));
   const TriangleMesh mesh = MeshOf(result);
   EXPECT_EQ(DescribeFlaws(mesh), "");
@@ -205,9 +206,9 @@ TEST(OtherGuides, DenseSlicesTakeNoGuides)
       AddLoop(points, lines);
     }
   }
-  const Reconstruction plain = Run(lines);
+  const Reconstruction plain = RunCore(lines);
   AddLoop(CutThroughAxis(0.25 * Pi), lines);
-  const Reconstruction result = Run(lines);
+  const Reconstruction result = RunCore(lines);
   EXPECT_EQ(result.Guiding, std::vector<std::uint8_t>{ 0 });
   EXPECT_EQ(MeshOf(result).Points, MeshOf(plain).Points);
 }
@@ -215,8 +216,8 @@ TEST(OtherGuides, DenseSlicesTakeNoGuides)
 //----------------------------------------------------------------------------
 TEST(OtherGuides, TheResultDependsOnNoThreads)
 {
-  const Polylines lines = WithThirdPlane(12);
-  EXPECT_EQ(MeshOf(Run(lines)).Points, MeshOf(Run(lines, ManyThreads())).Points);
+  const Polylines lines = WithThirdPlane();
+  EXPECT_EQ(MeshOf(RunCore(lines)).Points, MeshOf(RunCore(lines, ManyThreads())).Points);
 }
 
 //----------------------------------------------------------------------------
@@ -224,17 +225,43 @@ TEST(OtherGuides, TheResultDependsOnNoThreads)
 /// no harm.
 TEST(OtherGuides, BadContoursAreMendedOrLeftOut)
 {
-  Polylines lines = WithThirdPlane(12);
+  Polylines lines = WithThirdPlane();
   const SortedSlices sorted = SortByPlanes(lines, FrameOptions());
   ASSERT_EQ(sorted.Others.Count(), 1);
   const Index other = static_cast<Index>(sorted.Others.From.Cell[0]);
   lines.Closed[other] = 0; // a gap of one side
-  EXPECT_EQ(Run(lines).Guiding, std::vector<std::uint8_t>{ 1 });
+  EXPECT_EQ(RunCore(lines).Guiding, std::vector<std::uint8_t>{ 1 });
   for (Index i = lines.Offsets[other]; i < lines.Offsets[other + 1]; ++i)
   {
     lines.X[i] += 40.0;
   }
-  const Reconstruction result = Run(lines);
+  const Reconstruction result = RunCore(lines);
   EXPECT_EQ(result.Guiding, std::vector<std::uint8_t>{ 0 });
   EXPECT_EQ(DescribeFlaws(MeshOf(result)), "");
+}
+
+//----------------------------------------------------------------------------
+/// Whatever the guides show, of the same solid or of another one, in the same place or not: closed and
+/// embedded.
+TEST(OtherGuides, AnyGuidesLeaveTheSurfaceEmbedded)
+{
+  const std::array<std::array<int, 3>, 3> counts{ { { 1, 1, 9 }, { 3, 3, 0 }, { 12, 0, 1 } } };
+  for (std::uint64_t seed = FirstSeed(); seed < FirstSeed() + RandomRuns(12); ++seed)
+  {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Solid solids[] = { PlainBall(), TorusAround(2, 0.3), Pipe(0.3), TwoBalls(0, 0.2) };
+    const Solid& solid = solids[random.Below(4)];
+    const Solid& shown = random.Chance(0.5) ? solid : solids[random.Below(4)];
+    SortedSlices sorted = SortByPlanes(
+      MapSlices(SliceByFewPlanes(solid, EqualPlanes(solid, counts[random.Below(3)])), UnitMatrix()),
+      FrameOptions());
+    sorted.Others = MapSlices(
+      SliceByFewPlanes(shown, EqualPlanes(shown, { 2, 1, 0 })), RandomRotation(random.Bits()));
+    Options options;
+    options.Virtual = VirtualSlices::Automatic;
+    const Reconstruction result = ReconstructSorted(std::move(sorted), options, Execution());
+    EXPECT_EQ(DescribeFlaws(MeshOf(result)), "");
+    EXPECT_FALSE(result.Stopped);
+  }
 }
