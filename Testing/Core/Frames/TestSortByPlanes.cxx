@@ -29,16 +29,6 @@ const PieceSets& TorusSlices()
   return sets;
 }
 
-double DiagonalOf(const Polylines& lines)
-{
-  Box3 box;
-  for (std::size_t i = 0; i < lines.X.size(); ++i)
-  {
-    box.Add(lines.PointAt(static_cast<Index>(i)));
-  }
-  return box.Diagonal();
-}
-
 std::size_t CountPlanes(const Pieces& pieces)
 {
   return std::set<double>(pieces.W.begin(), pieces.W.end()).size();
