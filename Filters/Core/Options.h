@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesOptions_h
 #define OrthoSlicesOptions_h
 
+#include "Core/Base/AxisFrame.h"
 #include "Core/Cells/ChooseJoins.h"
 #include "Core/Correspondence/FindCorrespondences.h"
 #include "Core/Crossings/ReconcileSlices.h"
@@ -52,6 +53,7 @@ struct Options
   double RedrawnShare = 0.05;       ///< of the thickness of contours; see RemoveRedrawn
   bool SinglePrecision = false; ///< the result will be stored as float
   double Quantum = 0.0;         ///< see SpatialGrid; 0: coordinates are not rounded on its account
+  AxisFrame Metric;             ///< see SpatialGrid
   bool InsertMissing = true;    ///< contours that slices lack; see FindMissingContours
   AxisWeights Weights{ 1.0, 1.0, 1.0 };
   CentralPointMethod Central = CentralPointMethod::LeastSquares;

@@ -4,7 +4,7 @@
 #define OrthoSlicesReadGuides_h
 
 #include "Core/Base/Execution.h"
-#include "Core/Frames/AxisFrame.h"
+#include "Core/Base/AxisFrame.h"
 #include "Core/Frames/OtherPlanes.h"
 #include "Core/Options.h"
 #include "Core/Sparse/GuideCurves.h"

@@ -144,6 +144,10 @@ Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
   {
     settings.Quantum = ChooseQuantum(sorted.Slices, options.SinglePrecision);
   }
+  if (!sorted.Frame.IsRotation())
+  {
+    settings.Metric = sorted.Frame;
+  }
   const std::vector<OtherPlane> planes =
     FindOtherPlanes(sorted.Others, options.PlaneTolerance * DiagonalOf(sorted.Others));
   const std::vector<GuideContours> guides =

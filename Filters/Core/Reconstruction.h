@@ -9,7 +9,7 @@
 #include "Core/Cells/UndecidedPlaces.h"
 #include "Core/Crossings/MeasureAgreement.h"
 #include "Core/Crossings/ReconcileSlices.h"
-#include "Core/Frames/AxisFrame.h"
+#include "Core/Base/AxisFrame.h"
 #include "Core/Graph/CycleGeometry.h"
 #include "Core/Graph/IsolatedContours.h"
 #include "Core/Patches/EstimateNormals.h"

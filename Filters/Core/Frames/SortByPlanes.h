@@ -5,7 +5,7 @@
 
 #include "Core/Base/Contours.h"
 #include "Core/Base/Polylines.h"
-#include "Core/Frames/AxisFrame.h"
+#include "Core/Base/AxisFrame.h"
 
 #include <vector>
 
