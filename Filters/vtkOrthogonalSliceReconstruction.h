@@ -396,6 +396,22 @@ public:
 
   ///@{
   /**
+   * The border of the image, where it is known (see BorderContours): least and greatest x, y and z, as
+   * vtkDataSet::GetBounds has them. A single loose end at a side is enough then, and contours that
+   * reach farther elsewhere do not matter. An axis whose least value is not below its greatest is not
+   * given: its sides are found from the contours. So are infinite sides not there. Default: 0, -1 for all
+   * axes, nothing given. World units. Where the planes are turned, the values are those along the axes
+   * of the families: distances along their normals (field data FamilyNormals).
+   *
+   * Contours end on the border exactly. Between two slices, the surface ends there, and not beyond by
+   * more than two hundredths of a spacing, but its edge is rounded, as no slice shows it.
+   */
+  vtkSetVector6Macro(BorderBounds, double);
+  vtkGetVector6Macro(BorderBounds, double);
+  ///@}
+
+  ///@{
+  /**
    * What happens to contours that cross or overlap themselves or another contour of their slice:
    * LoopRule says what they bound, with a warning (default), the input is refused with an error if
    * any cross, or these are left out with a warning.
@@ -800,6 +816,7 @@ private:
   int Orientation = ORIENT_BY_NESTING;
   int InvalidContours = MEND;
   int BorderContours = CLOSE_ALONG_BORDER;
+  double BorderBounds[6] = { 0.0, -1.0, 0.0, -1.0, 0.0, -1.0 };
   int CrossingContours = REPAIR_CROSSING;
   int LoopRule = UNION;
   double RedrawnTolerance = 0.05;

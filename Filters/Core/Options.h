@@ -48,6 +48,7 @@ struct Options
   Orientation Orient = Orientation::ByNesting;
   InvalidContours Invalid = InvalidContours::Mend;
   BorderContours AtBorder = BorderContours::CloseAlong; ///< with InvalidContours::Mend
+  Box3 GivenBorder; ///< of the image, along the axes; of an axis along which it is empty, it is found
   CrossingContours Crossing = CrossingContours::Repair;
   LoopRule Loops = LoopRule::Union; ///< with Repair
   double RedrawnShare = 0.05;       ///< of the thickness of contours; see RemoveRedrawn

@@ -55,6 +55,7 @@ std::vector<GuideContours> ReadGuides(const Polylines& lines, const std::vector<
 {
   Options settings = options;
   settings.InsertMissing = false;
+  settings.GivenBorder = Box3(); // its sides are not across the axes of the planes' own frames
   Execution quietly = execution;
   quietly.Continue = [](double) { return true; };
   std::vector<GuideContours> guides;
