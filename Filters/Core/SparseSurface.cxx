@@ -94,14 +94,17 @@ bool SparseRunner::BendAll()
   const auto& planes = this->First.Result.Grid.Planes;
   if (others != nullptr && !others->empty() && FindOnlyFamily(this->First.Result.Grid) < 0)
   {
-    GuideCurves guides{ -1, {}, planes, {} };
+    GuideCurves guides;
+    guides.Planes = planes;
     AddGuides(*others, guides);
     if (this->Bend(this->First.Result, std::move(guides)))
     {
       return true;
     }
   }
-  return !this->First.Result.Stopped && this->Bend(this->First.Result, {});
+  GuideCurves ends;
+  ends.HalfSliceEnds = this->First.Settings.Ends == EndCaps::HalfSlice;
+  return !this->First.Result.Stopped && this->Bend(this->First.Result, std::move(ends));
 }
 
 /// Which of the planes of no family guide, which are the last of all guides.

@@ -181,7 +181,9 @@ Index GuideCurves::SlabAt(const Point3& point) const
 
 GuideCurves CutGuides(const Contours& contours, const SpatialGrid& grid, int stackAxis)
 {
-  GuideCurves curves{ stackAxis, grid.Planes[stackAxis], {}, {} };
+  GuideCurves curves;
+  curves.StackAxis = stackAxis;
+  curves.StackPlanes = grid.Planes[stackAxis];
   for (const int axis : { FirstAxis(stackAxis), SecondAxis(stackAxis) })
   {
     for (const double plane : grid.Planes[axis])

@@ -53,6 +53,9 @@ struct GuideCurves
   std::vector<double> StackPlanes;           ///< of a stack, ascending
   std::array<std::vector<double>, 3> Planes; ///< of several families, ascending; of a stack, none
   std::vector<GuideSlice> Slices;
+  /// Whether parts of a stack that end between two slices end in the middle between them, with walls
+  /// at right angles to the last slice they are on: EndCaps::HalfSlice.
+  bool HalfSliceEnds = false;
 
   /// The mean distance of the planes of the stack; 1 if there are fewer than two.
   double Spacing() const;

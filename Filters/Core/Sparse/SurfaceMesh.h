@@ -33,9 +33,10 @@ struct SurfaceMesh
   std::vector<Index> Cell;          ///< of each triangle: its place in Cells
   std::vector<Box3> Cells; ///< of each patch: where its points may go, the grid's margin taken off
 
-  AxisFrame Metric;            ///< what lengths and angles are before the stretch; see SpatialGrid
-  int StretchAxis = -1;        ///< of the only family of slices; -1: nothing is stretched
-  std::vector<double> Stretch; ///< of each point, at least 1
+  AxisFrame Metric;             ///< what lengths and angles are before the stretch; see SpatialGrid
+  int StretchAxis = -1;         ///< of the only family of slices; -1: nothing is stretched
+  std::vector<double> Stretch;  ///< of each point, at least 1
+  std::vector<double> Levels{}; ///< see StackEnds
 
   /// From one point to another, stretched.
   Point3 Edge(Index from, Index to) const

@@ -30,7 +30,7 @@ struct FairSource
  *   FairSurface        bent as little as the contours and cells allow
  *   GuideSurface       through the guides; then the two before, twice more
  *   SubdivideSurface   four curved triangles for each, within the bounds of the grid
- *   SliceSurface       cut on the planes of ChooseVirtualPlanes
+ *   SliceSurface       cut on the planes of ChooseVirtualPlanes, and near rims between slices
  *
  * Returns these contours alone: closed, with the interior on their left, of Cell -1 and with Virtual
  * set, without vertices that lie within 0.003 of the distance of planes of the line through the
