@@ -534,8 +534,9 @@ public:
    * angles, by half the distance of the two slices there (half the mean distance at most), and end flat,
    * so that each of equally spaced slices stands for one spacing: the volume of a cylinder of n slices is
    * n times area times spacing, as in treatment planning. A single slice becomes a plate, half as thick
-   * as the greater extent of its contours. Parts that end between two slices end there in domes. The
-   * rims are copies of the last contours on virtual planes, which the outputs say (see VirtualSlices).
+   * as the greater extent of its contours. Parts that end between two slices end in the middle between
+   * them in the same way, unless VirtualSlices is off: then, in domes. The rims are copies of the last
+   * contours on virtual planes, which the outputs say (see VirtualSlices).
    * With two families and more, slices across show the ends, and nothing changes.
    */
   vtkSetClampMacro(EndCaps, int, DOME_ENDS, HALF_SLICE_ENDS);

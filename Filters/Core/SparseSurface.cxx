@@ -4,6 +4,7 @@
 
 #include "Core/MakeSurface.h"
 #include "Core/RealSlices.h"
+#include "Core/Slices/EndSlices.h"
 #include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
 
@@ -130,6 +131,44 @@ PriorKnowledge TopologyOf(const Reconstruction& base)
   return { base.Topology.Components + small, small > 0 ? -1 : base.Topology.Genus };
 }
 
+/// Where a stack ends flat with all that lies on its first or on its last slice: bounds close to it, so that
+/// smooth patches between virtual slices do not bulge there.
+Box3 FlatEndsOf(const Reconstruction& base)
+{
+  Box3 bounds = Everywhere();
+  const int axis = FindOnlyFamily(base.Grid);
+  if (axis < 0 || base.Grid.Count(axis) < 2)
+  {
+    return bounds;
+  }
+  const double first = base.Grid.Planes[axis].front(), last = base.Grid.Planes[axis].back();
+  double below = 0.0, above = 0.0;
+  const auto add = [&](double coordinate)
+  {
+    below = std::max(below, first - coordinate);
+    above = std::max(above, coordinate - last);
+  };
+  for (const std::vector<double>* points :
+    { &base.Surface.CentralPoints, &base.Surface.Inner.Points })
+  {
+    for (std::size_t i = axis; i < points->size(); i += 3)
+    {
+      add((*points)[i]);
+    }
+  }
+  for (const PatchMesh& mesh : base.Surface.Meshes)
+  {
+    for (const Point3& point : mesh.Points)
+    {
+      add(point[axis]);
+    }
+  }
+  const double flat = FlatShare * base.Grid.MeanSpacing(axis);
+  bounds.Low[axis] = below < flat ? first - 2.0 * below : bounds.Low[axis];
+  bounds.High[axis] = above < flat ? last + 2.0 * above : bounds.High[axis];
+  return bounds;
+}
+
 /// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
 /// there are none, or if the topology comes out another than that of `base`.
 bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
@@ -149,6 +188,10 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
   RemoveContours(leftOut, parts, contours);
   AddVirtual(added, contours);
   Pass again(this->First, std::move(contours));
+  if (guides.Slices.empty())
+  {
+    LimitBoundsTo(FlatEndsOf(base), again.Result.Grid);
+  }
   again.Settings.Known = TopologyOf(base);
   again.SetShare(0.48, 0.88); // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole
   if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))

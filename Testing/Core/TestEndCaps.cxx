@@ -164,6 +164,24 @@ TEST(EndCaps, HalfSlicesAddHalfPlates)
 }
 
 //----------------------------------------------------------------------------
+/// Smooth patches between virtual slices do not bulge beyond an end that is flat.
+TEST(EndCaps, FlatEndsAreFlat)
+{
+  const auto ball = [](double z) { return std::sqrt(900.0 - z * z); };
+  for (const PieceSets& sets : { StackOf(20, -28.5, ball), StackOf(20, -28.5, Twenty) })
+  {
+    double low = 0.0, high = 0.0;
+    for (const Point3& point : MeshOf(RunWith(sets, EndCaps::Flat)).Points)
+    {
+      low = std::min(low, point[2]);
+      high = std::max(high, point[2]);
+    }
+    EXPECT_GE(low, -28.5 - 2.5e-3 * Spacing);
+    EXPECT_LE(high, 28.5 + 2.5e-3 * Spacing);
+  }
+}
+
+//----------------------------------------------------------------------------
 TEST(EndCaps, PipesKeepTheirHole)
 {
   PieceSets sets = StackOf(9, 0.0, Twenty);

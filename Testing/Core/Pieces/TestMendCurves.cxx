@@ -290,7 +290,7 @@ TEST(ImageBorder, GivenSidesNeedNotBeFound)
     Mend({ CurveOf(HalfDisc, 3), farther }, BorderContours::CloseAlong, given);
   ASSERT_EQ(result.Loops.size(), 2u);
   EXPECT_NEAR(TotalArea(result.Loops), 12.0 + 3.14159, 0.02);
-  given.High[0] = 3.5;
+  given.High[0] = 1.0;
   EXPECT_EQ(Mend({ CurveOf(HalfDisc, 3) }, BorderContours::CloseAlong, given).Loops.size(), 0u);
   given = Box3();
   given.Low[1] = -2.0;

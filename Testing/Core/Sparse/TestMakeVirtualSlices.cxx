@@ -195,6 +195,24 @@ TEST(SurfaceMesh, ContoursAreCurvesOfFixedPoints)
 }
 
 //----------------------------------------------------------------------------
+/// Of families that are not at right angles, lengths and angles are those of the world; the stretch is
+/// along the slices, whatever the axes are.
+TEST(SurfaceMesh, LengthsAreThoseOfTheWorld)
+{
+  const double s = 0.6, c = 0.8;
+  SurfaceMesh mesh;
+  mesh.Metric = AxisFrame({ { { s, 0.0, c }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } });
+  const Point3 inWorld{ 0.3, -0.7, 0.2 };
+  mesh.Points = { mesh.Metric.ToAxes({ 1.0, 2.0, 3.0 }),
+    mesh.Metric.ToAxes(Point3{ 1.0, 2.0, 3.0 } + inWorld) };
+  mesh.Stretch = { 2.0, 2.0 };
+  EXPECT_LT(Length(mesh.Edge(0, 1) - inWorld), 1e-14);
+  EXPECT_LT(Length(mesh.InWorld(0, 1) - inWorld), 1e-14);
+  mesh.StretchAxis = 2;
+  EXPECT_LT(Length(mesh.Edge(0, 1) - Point3{ 0.6, -1.4, 0.2 }), 1e-14);
+}
+
+//----------------------------------------------------------------------------
 /// Where a stack ends flat the surface has an edge, and where it ends round it has none.
 TEST(SurfaceMesh, FlatEndsHaveACrease)
 {
