@@ -200,12 +200,10 @@ TEST(SurfaceMesh, ContoursAreCurvesOfFixedPoints)
 TEST(SurfaceMesh, LengthsAreThoseOfTheWorld)
 {
   const double s = 0.6, c = 0.8;
-  SurfaceMesh mesh;
-  mesh.Metric = AxisFrame({ { { s, 0.0, c }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } });
-  const Point3 inWorld{ 0.3, -0.7, 0.2 };
-  mesh.Points = { mesh.Metric.ToAxes({ 1.0, 2.0, 3.0 }),
-    mesh.Metric.ToAxes(Point3{ 1.0, 2.0, 3.0 } + inWorld) };
-  mesh.Stretch = { 2.0, 2.0 };
+  const AxisFrame frame({ { { s, 0.0, c }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } });
+  const Point3 start{ 1.0, 2.0, 3.0 }, inWorld{ 0.3, -0.7, 0.2 };
+  SurfaceMesh mesh{ CornerTable(2, {}), { frame.ToAxes(start), frame.ToAxes(start + inWorld) },
+    { 0, 0 }, { 0, 0 }, {}, {}, frame, -1, { 2.0, 2.0 } };
   EXPECT_LT(Length(mesh.Edge(0, 1) - inWorld), 1e-14);
   EXPECT_LT(Length(mesh.InWorld(0, 1) - inWorld), 1e-14);
   mesh.StretchAxis = 2;
