@@ -191,7 +191,7 @@ vtkOrthogonalSliceReconstruction::Outcome vtkOrthogonalSliceReconstruction::Reco
   orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
   const std::function<vtkInformationVector*()>& outputs, std::string& text)
 {
-  const orthoslices::Polylines others = std::move(sorted.Others);
+  const orthoslices::Polylines others = sorted.Others;
   orthoslices::Reconstruction result =
     orthoslices::ReconstructSorted(std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
   if (result.Stopped)
@@ -204,9 +204,10 @@ vtkOrthogonalSliceReconstruction::Outcome vtkOrthogonalSliceReconstruction::Reco
     return Outcome::Failed;
   }
   text = this->Report(result);
+  const std::vector<std::uint8_t> guiding = result.Guiding;
   vtkInformationVector* target = outputs();
   this->WriteOutputs(std::move(result), !options.SinglePrecision, target);
-  text += this->CompareOthers(others, target);
+  text += this->CompareOthers(others, guiding, target);
   return Outcome::Done;
 }
 
@@ -502,10 +503,11 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
 
 /// Contours on planes of no family: how far the surface is from them, for the table and as text.
 std::string vtkOrthogonalSliceReconstruction::CompareOthers(
-  const orthoslices::Polylines& others, vtkInformationVector* outputs) const
+  const orthoslices::Polylines& others, const std::vector<std::uint8_t>& guiding,
+  vtkInformationVector* outputs) const
 {
   const std::vector<orthoslices::Agreement> distances =
     orthoslices::MeasureDistances(others, vtkPolyData::GetData(outputs, 0));
   orthoslices::WriteOthers(others, distances, vtkTable::GetData(outputs, 3));
-  return orthoslices::DescribeOthers(others, distances);
+  return orthoslices::DescribeOthers(others, distances, guiding);
 }

@@ -38,8 +38,9 @@
  * right angles to each other, as far as noise lets one see, the surface is that of slices across x, y
  * and z, turned. Else coordinates along the axes are distances along the normals of the families, the
  * surface is made there, and mapped back by the inverse (see AxisFrame and ReconstructSorted in Core).
- * Contours on planes of no family take no part: a warning names them and says how far the surface is
- * from them.
+ * Contours on planes of no family are no slices. Where the surface bends from slice to slice
+ * (VirtualSlices), it bends through them, too. A warning names them and says whether they guide the
+ * surface, and how far it is from them.
  *
  * The planes may come in any order and spacing, with different numbers on each axis. Contours are
  * accepted as lines and polygons: closed polylines (first point repeated or not), polygons, open
@@ -403,6 +404,22 @@ public:
 
   ///@{
   /**
+   * The border of the image, where it is known (see BorderContours): least and greatest x, y and z, as
+   * vtkDataSet::GetBounds has them. A single loose end at a side is enough then, and contours that
+   * reach farther elsewhere do not matter. An axis whose least value is not below its greatest is not
+   * given: its sides are found from the contours. So are infinite sides not there. Default: 0, -1 for all
+   * axes, nothing given. World units. Where the planes are turned, the values are those along the axes
+   * of the families: distances along their normals (field data FamilyNormals).
+   *
+   * Contours end on the border exactly. Between two slices, the surface ends there, and not beyond by
+   * more than two hundredths of a spacing, but its edge is rounded, as no slice shows it.
+   */
+  vtkSetVector6Macro(BorderBounds, double);
+  vtkGetVector6Macro(BorderBounds, double);
+  ///@}
+
+  ///@{
+  /**
    * What happens to contours that cross or overlap themselves or another contour of their slice:
    * LoopRule says what they bound, with a warning (default), the input is refused with an error if
    * any cross, or these are left out with a warning.
@@ -525,8 +542,9 @@ public:
    * angles, by half the distance of the two slices there (half the mean distance at most), and end flat,
    * so that each of equally spaced slices stands for one spacing: the volume of a cylinder of n slices is
    * n times area times spacing, as in treatment planning. A single slice becomes a plate, half as thick
-   * as the greater extent of its contours. Parts that end between two slices end there in domes. The
-   * rims are copies of the last contours on virtual planes, which the outputs say (see VirtualSlices).
+   * as the greater extent of its contours. Parts that end between two slices end in the middle between
+   * them in the same way, unless VirtualSlices is off: then, in domes. The rims are copies of the last
+   * contours on virtual planes, which the outputs say (see VirtualSlices).
    * With two families and more, slices across show the ends, and nothing changes.
    */
   vtkSetClampMacro(EndCaps, int, DOME_ENDS, HALF_SLICE_ENDS);
@@ -798,8 +816,8 @@ private:
   std::string Report(orthoslices::Reconstruction& result) const;
   void WriteOutputs(
     orthoslices::Reconstruction&& result, bool doublePrecision, vtkInformationVector* outputs);
-  std::string CompareOthers(
-    const orthoslices::Polylines& others, vtkInformationVector* outputs) const;
+  std::string CompareOthers(const orthoslices::Polylines& others,
+    const std::vector<std::uint8_t>& guiding, vtkInformationVector* outputs) const;
   std::vector<vtkDataObject*> ListInputs();
 
   std::string LabelArray;
@@ -808,6 +826,7 @@ private:
   int Orientation = ORIENT_BY_NESTING;
   int InvalidContours = MEND;
   int BorderContours = CLOSE_ALONG_BORDER;
+  double BorderBounds[6] = { 0.0, -1.0, 0.0, -1.0, 0.0, -1.0 };
   int CrossingContours = REPAIR_CROSSING;
   int LoopRule = UNION;
   double RedrawnTolerance = 0.05;

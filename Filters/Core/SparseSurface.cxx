@@ -4,6 +4,7 @@
 
 #include "Core/MakeSurface.h"
 #include "Core/RealSlices.h"
+#include "Core/Slices/EndSlices.h"
 #include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
 
@@ -30,6 +31,7 @@ private:
   bool Sketch(Pass& pass) const;
   bool FillFirst();
   bool BendStack();
+  bool BendAll();
   bool Bend(const Reconstruction& base, GuideCurves&& guides);
   bool Stop();
 
@@ -77,7 +79,48 @@ bool SparseRunner::BendStack()
   {
     return this->Stop();
   }
-  return this->Bend(stack.Result, CutGuides(this->Drawn, this->First.Result.Grid, axis));
+  GuideCurves guides = CutGuides(this->Drawn, this->First.Result.Grid, axis);
+  if (this->First.Settings.Guides != nullptr)
+  {
+    AddGuides(*this->First.Settings.Guides, guides);
+  }
+  return this->Bend(stack.Result, std::move(guides));
+}
+
+/// The surface of all slices bends, through the contours on planes of no family if it comes out with its
+/// topology so. Such planes are nearly parallel to a single family, and say nothing beside it.
+bool SparseRunner::BendAll()
+{
+  const std::vector<GuideContours>* others = this->First.Settings.Guides;
+  const auto& planes = this->First.Result.Grid.Planes;
+  if (others != nullptr && !others->empty() && FindOnlyFamily(this->First.Result.Grid) < 0)
+  {
+    GuideCurves guides;
+    guides.Planes = planes;
+    AddGuides(*others, guides);
+    if (this->Bend(this->First.Result, std::move(guides)))
+    {
+      return true;
+    }
+  }
+  GuideCurves ends;
+  ends.HalfSliceEnds = this->First.Settings.Ends == EndCaps::HalfSlice;
+  return !this->First.Result.Stopped && this->Bend(this->First.Result, std::move(ends));
+}
+
+/// Which of the planes of no family guide, which are the last of all guides.
+std::vector<std::uint8_t> ListGuiding(const Options& settings, const GuideCurves& guides)
+{
+  std::vector<std::uint8_t> guiding;
+  if (settings.Guides != nullptr && guides.Slices.size() >= settings.Guides->size())
+  {
+    for (std::size_t i = guides.Slices.size() - settings.Guides->size(); i < guides.Slices.size();
+         ++i)
+    {
+      guiding.push_back(guides.Slices[i].Guiding > 0 ? 1 : 0);
+    }
+  }
+  return guiding;
 }
 
 /// What a second surface has to come out as. Components that were too small are drawn nevertheless,
@@ -88,6 +131,44 @@ PriorKnowledge TopologyOf(const Reconstruction& base)
   return { base.Topology.Components + small, small > 0 ? -1 : base.Topology.Genus };
 }
 
+/// Where a stack ends flat with all that lies on its first or on its last slice: bounds close to it, so that
+/// smooth patches between virtual slices do not bulge there.
+Box3 FlatEndsOf(const Reconstruction& base)
+{
+  Box3 bounds = Everywhere();
+  const int axis = FindOnlyFamily(base.Grid);
+  if (axis < 0 || base.Grid.Count(axis) < 2)
+  {
+    return bounds;
+  }
+  const double first = base.Grid.Planes[axis].front(), last = base.Grid.Planes[axis].back();
+  double below = 0.0, above = 0.0;
+  const auto add = [&](double coordinate)
+  {
+    below = std::max(below, first - coordinate);
+    above = std::max(above, coordinate - last);
+  };
+  for (const std::vector<double>* points :
+    { &base.Surface.CentralPoints, &base.Surface.Inner.Points })
+  {
+    for (std::size_t i = axis; i < points->size(); i += 3)
+    {
+      add((*points)[i]);
+    }
+  }
+  for (const PatchMesh& mesh : base.Surface.Meshes)
+  {
+    for (const Point3& point : mesh.Points)
+    {
+      add(point[axis]);
+    }
+  }
+  const double flat = FlatShare * base.Grid.MeanSpacing(axis);
+  bounds.Low[axis] = below < flat ? first - 2.0 * below : bounds.Low[axis];
+  bounds.High[axis] = above < flat ? last + 2.0 * above : bounds.High[axis];
+  return bounds;
+}
+
 /// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
 /// there are none, or if the topology comes out another than that of `base`.
 bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
@@ -96,7 +177,7 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
   Execution execution = this->First.Execute;
   execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
   const Contours added = MakeVirtualSlices(
-    { GeometryOf(base), base.Surface, first.Grid, std::move(guides) }, this->Density, execution);
+    { GeometryOf(base), base.Surface, first.Grid, guides }, this->Density, execution);
   if (first.Stopped || added.Count() == 0)
   {
     return false;
@@ -107,6 +188,10 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
   RemoveContours(leftOut, parts, contours);
   AddVirtual(added, contours);
   Pass again(this->First, std::move(contours));
+  if (guides.Slices.empty())
+  {
+    LimitBoundsTo(FlatEndsOf(base), again.Result.Grid);
+  }
   again.Settings.Known = TopologyOf(base);
   again.SetShare(0.48, 0.88); // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole
   if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
@@ -118,6 +203,7 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
     return false;
   }
   TakeReport(first, leftOut, again.Result);
+  again.Result.Guiding = ListGuiding(this->First.Settings, guides);
   first = std::move(again.Result);
   return true;
 }
@@ -137,7 +223,7 @@ bool SparseRunner::Run()
   }
   this->First.SetShare(0.5, 0.66);
   const Reconstruction& result = this->First.Result;
-  const bool isDone = this->BendStack() || (!result.Stopped && this->Bend(result, {}));
+  const bool isDone = this->BendStack() || (!result.Stopped && this->BendAll());
   return !result.Stopped && (isDone || this->FillFirst());
 }
 }

@@ -44,6 +44,7 @@ def check_defaults():
         "Orientation": "By Nesting",
         "InvalidContours": "Mend",
         "BorderContours": "Close Along Border",
+        "BorderBounds": [0.0, -1.0, 0.0, -1.0, 0.0, -1.0],
         "InsertMissingContours": 1,
         "Frame": "Automatic",
         "FrameNormals": [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],

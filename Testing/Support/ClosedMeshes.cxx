@@ -21,7 +21,8 @@ SurfaceMesh Plain(const PlainMesh& mesh)
   const std::size_t points = mesh.Points.size();
   SurfaceMesh surface{ CornerTable(static_cast<Index>(points), mesh.Triangles), mesh.Points,
     std::vector<std::uint8_t>(points, 0), std::vector<std::uint8_t>(points, 0),
-    std::vector<Index>(mesh.Triangles.size(), 0), {}, -1, std::vector<double>(points, 1.0) };
+    std::vector<Index>(mesh.Triangles.size(), 0), {}, AxisFrame(), -1,
+    std::vector<double>(points, 1.0) };
   return surface;
 }
 

@@ -52,11 +52,9 @@ Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const Box3& guides
     const double beyond = 0.5 * grid.MeanSpacing(axis);
     const Index slab = cell[axis];
     const double margin = grid.Margin(axis, slab);
-    box.Low[axis] = slab > 0
-      ? grid.Planes[axis][slab - 1] + margin
-      : std::min(contours.Low[axis] - beyond, guides.Low[axis]);
-    box.High[axis] =
-slab < grid.Count(axis)
+    box.Low[axis] = slab > 0 ? grid.Planes[axis][slab - 1] + margin
+                             : std::min(contours.Low[axis] - beyond, guides.Low[axis]);
+    box.High[axis] = slab < grid.Count(axis)
       ? grid.Planes[axis][slab] - margin
       : std::max(contours.High[axis] + beyond, guides.High[axis]);
   }
@@ -64,20 +62,21 @@ slab < grid.Count(axis)
 }
 
 /// Twice the area by the length: the radius of a circle, the thickness of a long strip.
-double ThicknessOfLoop(const NodeGraph& graph, Index loop)
+double ThicknessOfLoop(const NodeGraph& graph, const AxisFrame& metric, Index loop)
 {
   const int axis = graph.Loops[loop].Axis;
   const Index arc = graph.Arcs + loop;
   const Index count = graph.PointCount(arc);
   double area = 0.0;
   double length = 0.0;
+  const auto inWorld = [&](const Point3& p) { return metric.IsWorld() ? p : metric.ToWorld(p); };
   // From a point of its own: small loops may lie far from the origin.
-  const Point3 first = graph.PointAt(graph.FirstPoint(arc));
+  const Point3 first = inWorld(graph.PointAt(graph.FirstPoint(arc)));
   for (Index i = 0; i < count; ++i)
   {
-    const Point3 p = graph.PointAt(graph.FirstPoint(arc) + i);
-    const Point3 q = graph.PointAt(graph.FirstPoint(arc) + (i + 1) % count);
-    area += 0.5 * Cross(p - first, q - first)[axis];
+    const Point3 p = inWorld(graph.PointAt(graph.FirstPoint(arc) + i));
+    const Point3 q = inWorld(graph.PointAt(graph.FirstPoint(arc) + (i + 1) % count));
+    area += 0.5 * Dot(Cross(p - first, q - first), metric.Normal(axis));
     length += Length(q - p);
   }
   return 2.0 * std::abs(area) / length;
@@ -101,7 +100,8 @@ void FindStretch(const CycleGeometry& geometry, const StackEnds& ends, SurfaceMe
     const bool isAtEdge = mesh.Crease[first] != 0 || ends.HasRim[loop] != 0;
     const double spacings = isAtEdge ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
     const double needed = spacings * geometry.Grid.MeanSpacing(mesh.StretchAxis);
-    const double stretch = std::clamp(needed / ThicknessOfLoop(graph, loop), 1.0, MaxStretch);
+    const double stretch =
+      std::clamp(needed / ThicknessOfLoop(graph, mesh.Metric, loop), 1.0, MaxStretch);
     std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), stretch);
   }
   for (Index point = graph.Count(); point < mesh.Corners.PointCount(); ++point)
@@ -144,8 +144,8 @@ bool IsFlat(const std::vector<Index>& points, double spacing, const SurfaceMesh&
 
 /// Where the object ends with a flat patch, in a slice or within a rim, the surface has an edge around
 /// it, and where walls go on from the last slice to its copy.
-void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches, const StackEnds& ends,
-  SurfaceMesh& mesh)
+void MarkFlatPatches(
+  const CycleGeometry& geometry, const Patches& patches, const StackEnds& ends, SurfaceMesh& mesh)
 {
   const double spacing = geometry.Grid.MeanSpacing(mesh.StretchAxis);
   const bool hasSpacing = geometry.Grid.Count(mesh.StretchAxis) > 1;
@@ -162,6 +162,20 @@ void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches, cons
       {
         mesh.Crease[point] |= mesh.Fixed[point];
       }
+    }
+  }
+}
+
+/// Where walls go straight on from a slice, the surface has an edge, too.
+void MarkWalls(const NodeGraph& graph, const StackEnds& ends, SurfaceMesh& mesh)
+{
+  for (std::size_t loop = 0; loop < ends.HasWall.size(); ++loop)
+  {
+    if (ends.HasWall[loop] != 0)
+    {
+      const Index arc = graph.Arcs + static_cast<Index>(loop);
+      std::fill_n(
+        mesh.Crease.begin() + graph.FirstPoint(arc), graph.PointCount(arc), std::uint8_t(1));
     }
   }
 }
@@ -197,8 +211,8 @@ void SplitEdge(Index corner, double share, SurfaceMesh& mesh)
 SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patches,
   GuideCurves& guides, const Execution& execution)
 {
-  DraftMesh draft{ ListPoints(geometry.Graph, patches),
-    ListTriangles(geometry, patches, execution), {} };
+  DraftMesh draft{ ListPoints(geometry.Graph, patches), ListTriangles(geometry, patches, execution),
+    {} };
   const std::size_t given = draft.Points.size();
   const Index cycles = geometry.Cycles.Count();
   draft.Patch.resize(draft.Triangles.size());
@@ -220,18 +234,20 @@ SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patche
     cells.push_back(cells[cycle]); // of the wall of its rim
   }
   const int axis = FindOnlyFamily(geometry.Grid);
-  const StackEnds ends =
-    axis >= 0 ? RaiseEnds(geometry, patches, guides, draft) : StackEnds();
+  const StackEnds ends = axis >= 0 ? RaiseEnds(geometry, patches, guides, draft) : StackEnds();
   const std::size_t count = draft.Points.size();
   SurfaceMesh mesh{ CornerTable(static_cast<Index>(count), draft.Triangles),
     std::move(draft.Points), {}, std::vector<std::uint8_t>(count, 0), std::move(draft.Patch),
-    std::move(cells), axis, std::vector<double>(count, 1.0) };
+    std::move(cells), geometry.Grid.Metric, axis, std::vector<double>(count, 1.0) };
   mesh.Fixed.assign(count, 0);
   std::fill_n(mesh.Fixed.begin(), geometry.Graph.Count(), std::uint8_t(1));
-  std::fill(mesh.Fixed.begin() + static_cast<std::ptrdiff_t>(given), mesh.Fixed.end(), std::uint8_t(1));
+  std::fill(
+    mesh.Fixed.begin() + static_cast<std::ptrdiff_t>(given), mesh.Fixed.end(), std::uint8_t(1));
   MarkContours(mesh);
+  mesh.Levels = ends.Levels;
   if (axis >= 0)
   {
+    MarkWalls(geometry.Graph, ends, mesh);
     MarkFlatPatches(geometry, patches, ends, mesh);
     FindStretch(geometry, ends, mesh);
   }
