@@ -42,6 +42,9 @@ namespace orthoslices
  * One family of slices can be asked to end half a slice farther (EndCaps): then the stack has copies of
  * its first and last contours from AddEndSlices on, before RegisterCrossings, on virtual planes.
  *
+ * Where contours of several families were closed along the border of the image, its sides get virtual
+ * slices likewise (AddBorderSlices), from a surface that goes on beyond it.
+ *
  * Where slices are too few (Options::Virtual, SliceDensity), what they make is a first surface only,
  * with triangles no smaller than the next step needs:
  *

@@ -28,6 +28,10 @@ struct EndSlices
  */
 EndSlices CopyEndSlices(const Contours& contours, const SpatialGrid& grid, double tolerance);
 
+/// What is left between a virtual slice at the end of an object and the bound of the surface: a thousandth
+/// of SpacingAtEnds, or what the precision needs.
+double RoomBeyondEnd(const SpatialGrid& grid, int axis);
+
 /// Takes the bounds along all axes into those of the grid.
 void LimitBoundsTo(const Box3& bounds, SpatialGrid& grid);
 
