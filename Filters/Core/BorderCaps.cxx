@@ -36,9 +36,9 @@ Box3 RoundedBorder(const Pass& pass)
   return border;
 }
 
-/// The finite sides; none if they are no values of the precision, if a slice lies on one of them, or
-/// nearly so, or if a side has no slices
-/// beside it that lie as it does: one alone would cut the object into cells that are far too long.
+/// The finite sides; none if they are no values of the precision, if a slice lies on one of them,
+/// or nearly so, or if a side has no slices beside it that lie as it does: one alone would cut the
+/// object into cells that are far too long.
 std::vector<BorderSide> ListSides(const Box3& border, const SpatialGrid& grid)
 {
   std::vector<BorderSide> sides;

@@ -13,9 +13,9 @@
 namespace orthoslices
 {
 /**
- * One pass of the stages of Reconstruct over a set of contours: the data that go from stage to stage,
- * and what each stage has to do besides its work. Where slices are few there are several passes, each
- * over other contours of the same input.
+ * One pass of the stages of Reconstruct over a set of contours: the data that go from stage to
+ * stage, and what each stage has to do besides its work. Where slices are few there are several
+ * passes, each over other contours of the same input.
  */
 class Pass
 {
@@ -46,12 +46,12 @@ public:
 
   void BuildGrid();
 
-  /// The slices of an only family end half a slice farther: with copies of the first and the last one,
-  /// which are virtual. See CopyEndSlices.
+  /// The slices of an only family end half a slice farther: with copies of the first and the last
+  /// one, which are virtual. See CopyEndSlices.
   void AddEndSlices();
 
-  /// Adds contours on virtual planes before anything was made of the real ones, and bounds of the surface;
-  /// the report is this pass's.
+  /// Adds contours on virtual planes before anything was made of the real ones, and bounds of the
+  /// surface; the report is this pass's.
   void AddVirtualSlices(const Contours& added, const Box3& bounds);
 
   /// Whether the report of what the slices leave open is this pass's to make.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   objects that the border of the image cuts off end flat there, with an edge, between slices, too
+ * @brief   objects that the border of the image cuts off end flat there, with an edge
  */
 
 #include "Core/BorderCaps.h"

@@ -10,7 +10,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Moves what lies on one side out. A point next to one that is not there is kept before or after it.
+/// Moves what lies on one side out. A point next to one that is not there is kept before or after
+/// it.
 std::vector<Point2> MoveOut(
   const std::vector<Point2>& points, int direction, double side, double beyond)
 {
