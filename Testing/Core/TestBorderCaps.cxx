@@ -166,6 +166,9 @@ TEST(BorderCaps, AnythingCutOffIsClosedAndEmbedded)
     }
     Options options;
     options.SinglePrecision = random.Chance(0.5);
+    options.Virtual = random.Chance(0.2) ? VirtualSlices::Automatic : VirtualSlices::Off;
+    options.Patching.Method = random.Chance(0.2) ? PatchMethod::Fan : options.Patching.Method;
+    options.ContourTolerance = random.Chance(0.2) ? 0.01 : 0.0;
     const Reconstruction result = Reconstruct(PieceSets(sets), options, Execution());
     TriangleMesh mesh = MeshOf(result);
     for (Point3& p : mesh.Points)
