@@ -3,6 +3,7 @@
 #include "Core/Reconstruct.h"
 
 #include "Core/Base/EditContours.h"
+#include "Core/BorderCaps.h"
 #include "Core/MakeSurface.h"
 #include "Core/ReadSlices.h"
 #include "Core/SparseSurface.h"
@@ -29,6 +30,10 @@ bool MakeSurface(Pass& pass)
   if (pass.Settings.Ends == EndCaps::HalfSlice && !pass.Result.InsideOut)
   {
     pass.AddEndSlices();
+  }
+  if (!density.IsSparse() && !AddBorderSlices(pass))
+  {
+    return false;
   }
   return density.IsSparse() ? MakeSparseSurface(density, pass)
                             : ConnectContours(pass) && FillCycles(pass.Settings.Patching, pass);
