@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/SparseSurface.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/MakeSurface.h"
+#include "Core/PredictSlices.h"
 #include "Core/RealSlices.h"
+#include "Core/Sparse/FieldSlices.h"
 #include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace orthoslices
 {
@@ -17,8 +21,8 @@ namespace
 class SparseRunner
 {
 public:
-  SparseRunner(const SliceDensity& density, Pass& first)
-    : Density(density)
+  SparseRunner(const SparseSlices& sparse, Pass& first)
+    : Sparse(sparse)
     , First(first)
     , Drawn(first.Tables.Contours)
   {
@@ -31,9 +35,13 @@ private:
   bool FillFirst();
   bool BendStack();
   bool Bend(const Reconstruction& base, GuideCurves&& guides);
+  bool SketchWithoutField(Pass& pass) const;
+  bool FollowField();
+  using IsTopologyRight = std::function<bool(const SurfaceTopology&)>;
+  bool RunAgain(const Contours& added, const PriorKnowledge& known, const IsTopologyRight& isRight);
   bool Stop();
 
-  const SliceDensity& Density;
+  const SparseSlices& Sparse;
   Pass& First;
   Contours Drawn;              ///< as they are before the first pass
   std::vector<double> Centers; ///< the central points of the first surface before its sketch
@@ -50,7 +58,7 @@ bool SparseRunner::Sketch(Pass& pass) const
 {
   PatchOptions patching = pass.Settings.Patching;
   patching.EdgeLength =
-    std::max(patching.EdgeLength, this->Density.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
+    std::max(patching.EdgeLength, this->Sparse.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
   patching.Shared = nullptr;
   return FillCycles(patching, pass);
 }
@@ -66,7 +74,7 @@ bool SparseRunner::FillFirst()
 /// False if there is no stack with slices across, or no surface from it.
 bool SparseRunner::BendStack()
 {
-  const int axis = this->Density.StackAxis();
+  const int axis = this->Sparse.Bending.StackAxis();
   if (axis < 0)
   {
     return false;
@@ -88,15 +96,11 @@ PriorKnowledge TopologyOf(const Reconstruction& base)
   return { base.Topology.Components + small, small > 0 ? -1 : base.Topology.Genus };
 }
 
-/// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
-/// there are none, or if the topology comes out another than that of `base`.
-bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
+/// Makes the surface of real and virtual slices, and takes it if its topology is right.
+bool SparseRunner::RunAgain(
+  const Contours& added, const PriorKnowledge& known, const IsTopologyRight& isRight)
 {
   Reconstruction& first = this->First.Result;
-  Execution execution = this->First.Execute;
-  execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
-  const Contours added = MakeVirtualSlices(
-    { GeometryOf(base), base.Surface, first.Grid, std::move(guides) }, this->Density, execution);
   if (first.Stopped || added.Count() == 0)
   {
     return false;
@@ -107,19 +111,80 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
   RemoveContours(leftOut, parts, contours);
   AddVirtual(added, contours);
   Pass again(this->First, std::move(contours));
-  again.Settings.Known = TopologyOf(base);
+  again.Settings.Known = known;
   again.SetShare(0.48, 0.88); // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole
   if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
   {
     return this->Stop();
   }
-  if (!(again.Result.Topology == base.Topology))
+  if (!isRight(again.Result.Topology))
   {
     return false;
   }
   TakeReport(first, leftOut, again.Result);
   first = std::move(again.Result);
   return true;
+}
+
+/// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
+/// there are none, or if the topology comes out another than that of `base`.
+bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
+{
+  Execution execution = this->First.Execute;
+  execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
+  const Contours added = MakeVirtualSlices(
+    { GeometryOf(base), base.Surface, this->First.Result.Grid, std::move(guides) },
+    this->Sparse.Bending, execution);
+  const SurfaceTopology wanted = base.Topology;
+  return this->RunAgain(
+    added, TopologyOf(base), [&](const SurfaceTopology& found) { return found == wanted; });
+}
+
+/// The surface of some of the contours that there would be if there were no field.
+bool SparseRunner::SketchWithoutField(Pass& pass) const
+{
+  SparseSlices sparse(pass);
+  sparse.Field = {};
+  if (!sparse.Any())
+  {
+    return ConnectContours(pass) && this->Sketch(pass);
+  }
+  double& edge = pass.Settings.Patching.EdgeLength;
+  edge = std::max(edge, this->Sparse.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
+  return SparseRunner(sparse, pass).Run();
+}
+
+/// Makes the surface anew, with virtual slices of a field through all contours. That decides what the
+/// contours leave open, but not against them: what the first surface joins stays joined, and tunnels
+/// come in only if the field foretells slices as well as patches within cells do. False if these
+/// foretell slices better.
+bool SparseRunner::FollowField()
+{
+  constexpr double farBetter = 0.75; // where the two are close, the field is the smoother one
+  constexpr double asGood = 0.95;
+  const Pass& first = this->First;
+  const double step = SampleStep(this->Drawn, this->Sparse.EdgeLength());
+  const double patchesByField = ComparePredictions(
+    this->Drawn, first, step, [this](Pass& pass) { return this->SketchWithoutField(pass); });
+  if (patchesByField < farBetter || !this->First.GoOn(0.5))
+  {
+    return false;
+  }
+  const SliceField field(this->Drawn, step, first.Execute);
+  if (!field.IsSolved() || !this->First.GoOn(0.8))
+  {
+    return false;
+  }
+  const Contours added = CutField(field, first.Result.Grid, this->Sparse.Field, first.Execute);
+  const PriorKnowledge known{ TopologyOf(first.Result).Components, -1 };
+  const Index genus = first.Result.Topology.Genus;
+  return this->First.GoOn(1.0) &&
+    this->RunAgain(added, known,
+      [&](const SurfaceTopology& found)
+      {
+        return found.Components <= known.Components &&
+          (found.Genus <= genus || patchesByField >= asGood);
+      });
 }
 
 bool SparseRunner::Run()
@@ -137,13 +202,28 @@ bool SparseRunner::Run()
   }
   this->First.SetShare(0.5, 0.66);
   const Reconstruction& result = this->First.Result;
-  const bool isDone = this->BendStack() || (!result.Stopped && this->Bend(result, {}));
+  const bool isDone = (this->Sparse.Field.IsSparse() && this->FollowField()) ||
+    (!result.Stopped && this->Sparse.Bending.IsSparse() &&
+      (this->BendStack() || (!result.Stopped && this->Bend(result, {}))));
   return !result.Stopped && (isDone || this->FillFirst());
 }
 }
 
-bool MakeSparseSurface(const SliceDensity& density, Pass& pass)
+SparseSlices::SparseSlices(const Pass& pass)
 {
-  return SparseRunner(density, pass).Run();
+  const Options& options = pass.Settings;
+  if (options.Virtual == VirtualSlices::Off || pass.Result.InsideOut)
+  {
+    return;
+  }
+  const double spacing = options.Virtual == VirtualSlices::BySpacing ? options.VirtualSpacing : 0.0;
+  const Box3 box = BoxOf(pass.Tables.Contours);
+  this->Bending = { pass.Result.Grid, box, SparseRule::Bending, spacing };
+  this->Field = { pass.Result.Grid, box, SparseRule::Field, spacing };
+}
+
+bool MakeSparseSurface(const SparseSlices& sparse, Pass& pass)
+{
+  return SparseRunner(sparse, pass).Run();
 }
 }

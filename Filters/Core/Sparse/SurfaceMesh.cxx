@@ -13,35 +13,6 @@ namespace orthoslices
 {
 namespace
 {
-std::vector<Point3> ListPoints(const NodeGraph& graph, const Patches& patches)
-{
-  std::vector<Point3> points;
-  const auto append = [&](const std::vector<double>& values)
-  {
-    for (std::size_t i = 0; i + 2 < values.size(); i += 3)
-    {
-      points.push_back({ values[i], values[i + 1], values[i + 2] });
-    }
-  };
-  append(graph.Points);
-  append(patches.CentralPoints);
-  append(ListOtherPoints(patches));
-  return points;
-}
-
-std::vector<std::array<Index, 3>> ListTriangles(
-  const CycleGeometry& geometry, const Patches& patches, const Execution& execution)
-{
-  std::vector<std::int32_t> ids(3 * static_cast<std::size_t>(patches.TriangleCount()));
-  WriteTriangles(patches, geometry, execution, ids.data());
-  std::vector<std::array<Index, 3>> triangles(ids.size() / 3);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    triangles[t] = { ids[3 * t], ids[3 * t + 1], ids[3 * t + 2] };
-  }
-  return triangles;
-}
-
 /// Where points of a cell may go: as far as guides show, or half a spacing beyond the contours.
 Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const Box3& guides,
   const std::array<Index, 3>& cell)
@@ -52,11 +23,9 @@ Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const Box3& guides
     const double beyond = 0.5 * grid.MeanSpacing(axis);
     const Index slab = cell[axis];
     const double margin = grid.Margin(axis, slab);
-    box.Low[axis] = slab > 0
-      ? grid.Planes[axis][slab - 1] + margin
-      : std::min(contours.Low[axis] - beyond, guides.Low[axis]);
-    box.High[axis] =
-slab < grid.Count(axis)
+    box.Low[axis] = slab > 0 ? grid.Planes[axis][slab - 1] + margin
+                             : std::min(contours.Low[axis] - beyond, guides.Low[axis]);
+    box.High[axis] = slab < grid.Count(axis)
       ? grid.Planes[axis][slab] - margin
       : std::max(contours.High[axis] + beyond, guides.High[axis]);
   }
@@ -144,8 +113,8 @@ bool IsFlat(const std::vector<Index>& points, double spacing, const SurfaceMesh&
 
 /// Where the object ends with a flat patch, in a slice or within a rim, the surface has an edge around
 /// it, and where walls go on from the last slice to its copy.
-void MarkFlatPatches(const CycleGeometry& geometry, const Patches& patches, const StackEnds& ends,
-  SurfaceMesh& mesh)
+void MarkFlatPatches(
+  const CycleGeometry& geometry, const Patches& patches, const StackEnds& ends, SurfaceMesh& mesh)
 {
   const double spacing = geometry.Grid.MeanSpacing(mesh.StretchAxis);
   const bool hasSpacing = geometry.Grid.Count(mesh.StretchAxis) > 1;
@@ -194,11 +163,34 @@ void SplitEdge(Index corner, double share, SurfaceMesh& mesh)
   mesh.Corners.Split(corner);
 }
 
+SurfaceTriangles ListTriangles(
+  const CycleGeometry& geometry, const Patches& patches, const Execution& execution)
+{
+  SurfaceTriangles result;
+  const auto append = [&](const std::vector<double>& values)
+  {
+    for (std::size_t i = 0; i + 2 < values.size(); i += 3)
+    {
+      result.Points.push_back({ values[i], values[i + 1], values[i + 2] });
+    }
+  };
+  append(geometry.Graph.Points);
+  append(patches.CentralPoints);
+  append(ListOtherPoints(patches));
+  std::vector<std::int32_t> ids(3 * static_cast<std::size_t>(patches.TriangleCount()));
+  WriteTriangles(patches, geometry, execution, ids.data());
+  for (std::size_t t = 0; t < ids.size(); t += 3)
+  {
+    result.Triangles.push_back({ ids[t], ids[t + 1], ids[t + 2] });
+  }
+  return result;
+}
+
 SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patches,
   GuideCurves& guides, const Execution& execution)
 {
-  DraftMesh draft{ ListPoints(geometry.Graph, patches),
-    ListTriangles(geometry, patches, execution), {} };
+  SurfaceTriangles all = ListTriangles(geometry, patches, execution);
+  DraftMesh draft{ std::move(all.Points), std::move(all.Triangles), {} };
   const std::size_t given = draft.Points.size();
   const Index cycles = geometry.Cycles.Count();
   draft.Patch.resize(draft.Triangles.size());
@@ -220,15 +212,15 @@ SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patche
     cells.push_back(cells[cycle]); // of the wall of its rim
   }
   const int axis = FindOnlyFamily(geometry.Grid);
-  const StackEnds ends =
-    axis >= 0 ? RaiseEnds(geometry, patches, guides, draft) : StackEnds();
+  const StackEnds ends = axis >= 0 ? RaiseEnds(geometry, patches, guides, draft) : StackEnds();
   const std::size_t count = draft.Points.size();
   SurfaceMesh mesh{ CornerTable(static_cast<Index>(count), draft.Triangles),
     std::move(draft.Points), {}, std::vector<std::uint8_t>(count, 0), std::move(draft.Patch),
     std::move(cells), axis, std::vector<double>(count, 1.0) };
   mesh.Fixed.assign(count, 0);
   std::fill_n(mesh.Fixed.begin(), geometry.Graph.Count(), std::uint8_t(1));
-  std::fill(mesh.Fixed.begin() + static_cast<std::ptrdiff_t>(given), mesh.Fixed.end(), std::uint8_t(1));
+  std::fill(
+    mesh.Fixed.begin() + static_cast<std::ptrdiff_t>(given), mesh.Fixed.end(), std::uint8_t(1));
   MarkContours(mesh);
   if (axis >= 0)
   {

@@ -61,28 +61,41 @@ int FindStack(const SpatialGrid& grid)
   return -1;
 }
 
+Index CountFamilies(const SpatialGrid& grid)
+{
+  return (grid.Count(0) > 0 ? 1 : 0) + (grid.Count(1) > 0 ? 1 : 0) + (grid.Count(2) > 0 ? 1 : 0);
+}
+
+/// Whether there are several families, none with as many slices as show a shape, and no stack.
+bool HasFewOfAll(const SpatialGrid& grid)
+{
+  const Index most = std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
+  return CountFamilies(grid) > 1 && most < FewPlanes && FindStack(grid) < 0;
+}
+
 /// Whether families are missing, or have few slices, and the others carry a surface across.
 bool NeedsMore(const SpatialGrid& grid)
 {
   const auto [least, most] = std::minmax({ grid.Count(0), grid.Count(1), grid.Count(2) });
   Index fewest = most;
-  int families = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     fewest = grid.Count(axis) > 0 ? std::min(fewest, grid.Count(axis)) : fewest;
-    families += grid.Count(axis) > 0 ? 1 : 0;
   }
-  const bool isStack = families == 1 || most >= FewAgainstMany * fewest;
-  return isStack ? families == 1 || most >= EnoughPlanes || FindStack(grid) >= 0 : least == 0;
+  const bool isAlone = CountFamilies(grid) == 1;
+  const bool isStack = isAlone || most >= FewAgainstMany * fewest;
+  return isStack ? isAlone || most >= EnoughPlanes || FindStack(grid) >= 0 : least == 0;
 }
 }
 
-SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double spacing)
+SliceDensity::SliceDensity(
+  const SpatialGrid& grid, const Box3& contours, SparseRule rule, double spacing)
   : Wide{ Infinity, Infinity, Infinity }
 {
   const Point3 extent = contours.High - contours.Low;
   this->Longest = static_cast<int>(std::max_element(extent.begin(), extent.end()) - extent.begin());
-  if (!(spacing > 0.0) && !NeedsMore(grid))
+  const bool ofField = rule == SparseRule::Field;
+  if (ofField ? !HasFewOfAll(grid) : !(spacing > 0.0) && !NeedsMore(grid))
   {
     return;
   }
@@ -95,10 +108,13 @@ SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double
     this->Target[axis] = spacing > 0.0
       ? given
       : std::clamp(densest, extent[axis] / ManyPlanes, extent[axis] / FewPlanes);
-    if (spacing > 0.0 || grid.Count(axis) * FewAgainstMany <= most)
+    if (spacing > 0.0 || ofField)
     {
-      this->Wide[axis] =
-        WideSlab * (spacing > 0.0 ? given : std::max(densest, extent[axis] / FewPlanes));
+      this->Wide[axis] = WideSlab * this->Target[axis];
+    }
+    else if (grid.Count(axis) * FewAgainstMany <= most)
+    {
+      this->Wide[axis] = WideSlab * std::max(densest, extent[axis] / FewPlanes);
     }
     const auto& planes = grid.Planes[axis];
     this->Sparse |= planes.empty();
