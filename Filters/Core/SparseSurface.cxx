@@ -145,12 +145,13 @@ bool SparseRunner::SketchWithoutField(Pass& pass) const
 {
   SparseSlices sparse(pass);
   sparse.Field = {};
+  sparse.Bending.Coarsen();
   if (!sparse.Any())
   {
     return ConnectContours(pass) && this->Sketch(pass);
   }
   double& edge = pass.Settings.Patching.EdgeLength;
-  edge = std::max(edge, this->Sparse.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
+  edge = std::max(edge, sparse.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
   return SparseRunner(sparse, pass).Run();
 }
 
@@ -160,13 +161,14 @@ bool SparseRunner::SketchWithoutField(Pass& pass) const
 /// foretell slices better.
 bool SparseRunner::FollowField()
 {
-  constexpr double farBetter = 0.75; // where the two are close, the field is the smoother one
   constexpr double asGood = 0.95;
+  // A surface that was bent is as smooth as a field; patches within cells are not.
+  const double enough = this->Sparse.Bending.IsSparse() ? 1.0 : 0.75;
   const Pass& first = this->First;
   const double step = SampleStep(this->Drawn, this->Sparse.EdgeLength());
   const double patchesByField = ComparePredictions(
     this->Drawn, first, step, [this](Pass& pass) { return this->SketchWithoutField(pass); });
-  if (patchesByField < farBetter || !this->First.GoOn(0.5))
+  if (patchesByField < enough || !this->First.GoOn(0.5))
   {
     return false;
   }
@@ -218,8 +220,8 @@ SparseSlices::SparseSlices(const Pass& pass)
   }
   const double spacing = options.Virtual == VirtualSlices::BySpacing ? options.VirtualSpacing : 0.0;
   const Box3 box = BoxOf(pass.Tables.Contours);
-  this->Bending = { pass.Result.Grid, box, SparseRule::Bending, spacing };
-  this->Field = { pass.Result.Grid, box, SparseRule::Field, spacing };
+  this->Bending = { pass.Result.Grid, box, spacing };
+  this->Field = { pass.Result.Grid, box, spacing, SparseRule::Field };
 }
 
 bool MakeSparseSurface(const SparseSlices& sparse, Pass& pass)

@@ -14,6 +14,8 @@ namespace
 constexpr double FewPlanes = 12.0;
 /// More virtual planes than this on one axis cost more than they show.
 constexpr double ManyPlanes = 64.0;
+/// A stack of so many slices and a few across is no longer few.
+constexpr double FewInStack = 17.0;
 /// And a spacing that was given gets no more than so many.
 constexpr double MostPlanes = 1024.0;
 /// A slab is divided if its halves are not much narrower than wanted.
@@ -66,11 +68,13 @@ Index CountFamilies(const SpatialGrid& grid)
   return (grid.Count(0) > 0 ? 1 : 0) + (grid.Count(1) > 0 ? 1 : 0) + (grid.Count(2) > 0 ? 1 : 0);
 }
 
-/// Whether there are several families, none with as many slices as show a shape, and no stack.
+/// Whether there are several families, none with as many slices as show a shape, or a stack of not
+/// many more with a few across. Stacks of fewer are left to the slices across.
 bool HasFewOfAll(const SpatialGrid& grid)
 {
   const Index most = std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
-  return CountFamilies(grid) > 1 && most < FewPlanes && FindStack(grid) < 0;
+  return CountFamilies(grid) > 1 &&
+    (FindStack(grid) < 0 ? most < FewPlanes : most >= EnoughPlanes && most < FewInStack);
 }
 
 /// Whether families are missing, or have few slices, and the others carry a surface across.
@@ -89,7 +93,7 @@ bool NeedsMore(const SpatialGrid& grid)
 }
 
 SliceDensity::SliceDensity(
-  const SpatialGrid& grid, const Box3& contours, SparseRule rule, double spacing)
+  const SpatialGrid& grid, const Box3& contours, double spacing, SparseRule rule)
   : Wide{ Infinity, Infinity, Infinity }
 {
   const Point3 extent = contours.High - contours.Low;
@@ -124,6 +128,15 @@ SliceDensity::SliceDensity(
       const double high = i < planes.size() ? planes[i] : contours.High[axis];
       this->Sparse |= this->CountParts(axis, high - low) > 1;
     }
+  }
+}
+
+void SliceDensity::Coarsen()
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Target[axis] *= 2.0;
+    this->Wide[axis] = std::max(this->Wide[axis], WideSlab * this->Target[axis]);
   }
 }
 

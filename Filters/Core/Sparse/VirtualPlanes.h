@@ -36,7 +36,7 @@ enum class SparseRule : std::uint8_t
  *   across of one family, one or two, or at most a third as many: these show how the object goes on
  *   and ends. With slices across of two families, a stack takes eight.
  *
- * A field takes several families, of fewer than a dozen slices each, that are not a stack with a few
+ * A field takes several families of fewer than a dozen slices each, or a stack of 8 to 16 with a few
  * across; then all axes are sparse in slabs that are wider than 1.4 times what planes are to be apart.
  *
  * In sparse slabs, planes are to be as far apart as those of the densest axis, but at most a twelfth
@@ -50,8 +50,11 @@ class SliceDensity
 {
 public:
   SliceDensity() = default; ///< of slices that are not sparse anywhere
-  SliceDensity(
-    const SpatialGrid& grid, const Box3& contours, SparseRule rule, double spacing = 0.0);
+  SliceDensity(const SpatialGrid& grid, const Box3& contours, double spacing = 0.0,
+    SparseRule rule = SparseRule::Bending);
+
+  /// Planes half as many, for a surface that need not be as exact.
+  void Coarsen();
 
   /// The axis of a stack of five slices and more that has a few across; -1 if this is none.
   int StackAxis() const { return this->Stack; }
