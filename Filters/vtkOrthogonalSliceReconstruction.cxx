@@ -21,6 +21,7 @@
 #include "Core/Patches/SharedPatches.h"
 #include "Core/ReconstructSorted.h"
 
+#include "vtkCellData.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -31,6 +32,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -189,7 +191,7 @@ vtkOrthogonalSliceReconstruction::Outcome vtkOrthogonalSliceReconstruction::Reco
   orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
   const std::function<vtkInformationVector*()>& outputs, std::string& text)
 {
-  const orthoslices::Polylines others = std::move(sorted.Others);
+  const orthoslices::Polylines others = sorted.Others;
   orthoslices::Reconstruction result =
     orthoslices::ReconstructSorted(std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
   if (result.Stopped)
@@ -202,9 +204,10 @@ vtkOrthogonalSliceReconstruction::Outcome vtkOrthogonalSliceReconstruction::Reco
     return Outcome::Failed;
   }
   text = this->Report(result);
+  const std::vector<std::uint8_t> guiding = result.Guiding;
   vtkInformationVector* target = outputs();
   this->WriteOutputs(std::move(result), !options.SinglePrecision, target);
-  text += this->CompareOthers(others, target);
+  text += this->CompareOthers(others, guiding, target);
   return Outcome::Done;
 }
 
@@ -332,6 +335,30 @@ std::vector<vtkDataObject*> vtkOrthogonalSliceReconstruction::ListInputs()
     inputs.push_back(isConnected ? this->GetInputDataObject(port, 0) : nullptr);
   }
   return inputs;
+}
+
+vtkStringArray* vtkOrthogonalSliceReconstruction::GetCellArrayNames()
+{
+  std::set<std::string> names;
+  for (vtkDataObject* input : this->ListInputs())
+  {
+    orthoslices::VisitPolyData(input,
+      [&](vtkPolyData* data, orthoslices::Index)
+      {
+        for (int i = 0; i < data->GetCellData()->GetNumberOfArrays(); ++i)
+        {
+          const char* name = data->GetCellData()->GetArrayName(i);
+          names.insert(name != nullptr ? name : "");
+        }
+      });
+  }
+  names.erase("");
+  this->CellArrayNames->Reset();
+  for (const std::string& name : names)
+  {
+    this->CellArrayNames->InsertNextValue(name);
+  }
+  return this->CellArrayNames;
 }
 
 /// There are contours on some port, and not too many. Empty ports are as good as unconnected ones.
@@ -469,16 +496,18 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
     arrays, reportTolerance, surface);
   carrier.AddToSurface(surface->GetCellData());
   orthoslices::CutAtBorder(openBorder, surface);
-  orthoslices::WriteComponentTable(surface, vtkTable::GetData(outputs, 7));
+  const bool mayBeOpen = this->BorderContours == LEAVE_OPEN_AT_BORDER;
+  orthoslices::WriteComponentTable(surface, mayBeOpen, vtkTable::GetData(outputs, 7));
   this->UpdateProgress(1.0);
 }
 
 /// Contours on planes of no family: how far the surface is from them, for the table and as text.
 std::string vtkOrthogonalSliceReconstruction::CompareOthers(
-  const orthoslices::Polylines& others, vtkInformationVector* outputs) const
+  const orthoslices::Polylines& others, const std::vector<std::uint8_t>& guiding,
+  vtkInformationVector* outputs) const
 {
   const std::vector<orthoslices::Agreement> distances =
     orthoslices::MeasureDistances(others, vtkPolyData::GetData(outputs, 0));
   orthoslices::WriteOthers(others, distances, vtkTable::GetData(outputs, 3));
-  return orthoslices::DescribeOthers(others, distances);
+  return orthoslices::DescribeOthers(others, distances, guiding);
 }

@@ -38,8 +38,9 @@
  * right angles to each other, as far as noise lets one see, the surface is that of slices across x, y
  * and z, turned. Else coordinates along the axes are distances along the normals of the families, the
  * surface is made there, and mapped back by the inverse (see AxisFrame and ReconstructSorted in Core).
- * Contours on planes of no family take no part: a warning names them and says how far the surface is
- * from them.
+ * Contours on planes of no family are no slices. Where the surface bends from slice to slice
+ * (VirtualSlices), it bends through them, too. A warning names them and says whether they guide the
+ * surface, and how far it is from them.
  *
  * The planes may come in any order and spacing, with different numbers on each axis. Contours are
  * accepted as lines and polygons: closed polylines (first point repeated or not), polygons, open
@@ -212,7 +213,9 @@
 #define vtkOrthogonalSliceReconstruction_h
 
 #include "vtkFiltersOrthogonalSlicesModule.h" // for export macro
+#include "vtkNew.h"
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkStringArray.h"
 
 #include <functional>
 #include <string>
@@ -343,6 +346,12 @@ public:
   vtkGetCharFromStdStringMacro(LabelArray);
   ///@}
 
+  /**
+   * The names that LabelArray may have: those of the cell arrays of all inputs, sorted. Inputs that
+   * were not updated yet have none.
+   */
+  vtkStringArray* GetCellArrayNames();
+
   ///@{
   /**
    * How the interior of a contour is found: by nesting (default) or from its direction as drawn,
@@ -391,6 +400,22 @@ public:
   void SetBorderContoursToCloseAlongBorder() { this->SetBorderContours(CLOSE_ALONG_BORDER); }
   void SetBorderContoursToLeaveOpen() { this->SetBorderContours(LEAVE_OPEN_AT_BORDER); }
   void SetBorderContoursToRefuse() { this->SetBorderContours(REFUSE_AT_BORDER); }
+  ///@}
+
+  ///@{
+  /**
+   * The border of the image, where it is known (see BorderContours): least and greatest x, y and z, as
+   * vtkDataSet::GetBounds has them. A single loose end at a side is enough then, and contours that
+   * reach farther elsewhere do not matter. An axis whose least value is not below its greatest is not
+   * given: its sides are found from the contours. So are infinite sides not there. Default: 0, -1 for all
+   * axes, nothing given. World units. Where the planes are turned, the values are those along the axes
+   * of the families: distances along their normals (field data FamilyNormals).
+   *
+   * Contours end on the border exactly. Between two slices, the surface ends there, and not beyond by
+   * more than two hundredths of a spacing, but its edge is rounded, as no slice shows it.
+   */
+  vtkSetVector6Macro(BorderBounds, double);
+  vtkGetVector6Macro(BorderBounds, double);
   ///@}
 
   ///@{
@@ -517,8 +542,9 @@ public:
    * angles, by half the distance of the two slices there (half the mean distance at most), and end flat,
    * so that each of equally spaced slices stands for one spacing: the volume of a cylinder of n slices is
    * n times area times spacing, as in treatment planning. A single slice becomes a plate, half as thick
-   * as the greater extent of its contours. Parts that end between two slices end there in domes. The
-   * rims are copies of the last contours on virtual planes, which the outputs say (see VirtualSlices).
+   * as the greater extent of its contours. Parts that end between two slices end in the middle between
+   * them in the same way, unless VirtualSlices is off: then, in domes. The rims are copies of the last
+   * contours on virtual planes, which the outputs say (see VirtualSlices).
    * With two families and more, slices across show the ends, and nothing changes.
    */
   vtkSetClampMacro(EndCaps, int, DOME_ENDS, HALF_SLICE_ENDS);
@@ -790,15 +816,17 @@ private:
   std::string Report(orthoslices::Reconstruction& result) const;
   void WriteOutputs(
     orthoslices::Reconstruction&& result, bool doublePrecision, vtkInformationVector* outputs);
-  std::string CompareOthers(
-    const orthoslices::Polylines& others, vtkInformationVector* outputs) const;
+  std::string CompareOthers(const orthoslices::Polylines& others,
+    const std::vector<std::uint8_t>& guiding, vtkInformationVector* outputs) const;
   std::vector<vtkDataObject*> ListInputs();
 
   std::string LabelArray;
+  vtkNew<vtkStringArray> CellArrayNames; ///< see GetCellArrayNames
   double PlaneTolerance = 1e-5;
   int Orientation = ORIENT_BY_NESTING;
   int InvalidContours = MEND;
   int BorderContours = CLOSE_ALONG_BORDER;
+  double BorderBounds[6] = { 0.0, -1.0, 0.0, -1.0, 0.0, -1.0 };
   int CrossingContours = REPAIR_CROSSING;
   int LoopRule = UNION;
   double RedrawnTolerance = 0.05;

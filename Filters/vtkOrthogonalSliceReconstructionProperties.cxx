@@ -183,6 +183,11 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.Ends = EndCapsModes[this->EndCaps].Value;
   options.Invalid = InvalidContoursModes[this->InvalidContours].Value;
   options.AtBorder = BorderContoursModes[this->BorderContours].Value;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    options.GivenBorder.Low[axis] = this->BorderBounds[2 * axis];
+    options.GivenBorder.High[axis] = this->BorderBounds[2 * axis + 1];
+  }
   options.Crossing = CrossingContoursModes[this->CrossingContours].Value;
   options.Loops = LoopRules[this->LoopRule].Value;
   options.RedrawnShare = this->RedrawnTolerance;
@@ -213,6 +218,12 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Orientation: " << Orientations[this->Orientation].Name << "\n";
   os << indent << "InvalidContours: " << InvalidContoursModes[this->InvalidContours].Name << "\n";
   os << indent << "BorderContours: " << BorderContoursModes[this->BorderContours].Name << "\n";
+  os << indent << "BorderBounds:";
+  for (const double value : this->BorderBounds)
+  {
+    os << " " << value;
+  }
+  os << "\n";
   os << indent << "CrossingContours: " << CrossingContoursModes[this->CrossingContours].Name
      << "\n";
   os << indent << "LoopRule: " << LoopRules[this->LoopRule].Name << "\n";

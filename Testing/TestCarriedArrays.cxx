@@ -47,16 +47,6 @@ namespace
 {
 constexpr const char* FamilyNames[] = { "x", "y", "z" };
 
-const PieceSets& TorusSlices()
-{
-  static const PieceSets sets = []
-  {
-    const Solid solid = TiltedTorus();
-    return SliceSolid(solid, EqualPlanes(solid, { 8, 9, 10 }), 6, InPlaneGrid::Aligned);
-  }();
-  return sets;
-}
-
 template <typename Array>
 vtkSmartPointer<Array> NewArray(const char* name, vtkIdType tuples, int components = 1)
 {

@@ -187,9 +187,23 @@ TEST_F(Report, NamesTheSliceThatWasOverruledMost)
   this->AddRepair(RepairKind::VertexRelabelled);
   this->AddRepair(RepairKind::CrossingsSnipped);
   const std::string text = this->Text();
-  EXPECT_TRUE(Contains(text, "contradict each other at 3 grid vertices and on 5 grid edges"));
+  EXPECT_TRUE(Contains(text,
+    "contradict each other at 3 grid vertices and on 5 grid edges, where they were reconciled."));
   EXPECT_TRUE(Contains(text, "overruled: the slice z = 0, at 2 grid vertices"));
   EXPECT_EQ(CountMessages(text), 1);
+}
+
+//----------------------------------------------------------------------------
+TEST_F(Report, WhatThereIsNoneOfIsNotCounted)
+{
+  this->AddRepair(RepairKind::VertexRelabelled);
+  this->Result.Reconciled.Vertices = 3;
+  EXPECT_TRUE(Contains(
+    this->Text(), "contradict each other at 3 grid vertices, where they were reconciled."));
+  this->Result.Reconciled.Vertices = 0;
+  this->Result.Reconciled.Edges = 5;
+  EXPECT_TRUE(
+    Contains(this->Text(), "contradict each other on 5 grid edges, where they were reconciled."));
 }
 
 //----------------------------------------------------------------------------
@@ -200,7 +214,8 @@ TEST_F(Report, DisagreementsCountAboveTheTolerance)
                                          "z=0: -1,-1 1,-1 1,1.5 -1,1.5"),
     Options(), Execution());
   this->Settings.Tolerance = 0.49;
-  EXPECT_TRUE(Contains(this->Text(), "by more than 0.49 at 1 of 6 node points"));
+  EXPECT_TRUE(
+    Contains(this->Text(), "contradict each other by more than 0.49 at 1 of 6 node points."));
   EXPECT_TRUE(Contains(this->Text(), "Least agreement: the slice x = 0"));
   this->Settings.Tolerance = 0.51;
   EXPECT_EQ(this->Text(), "");

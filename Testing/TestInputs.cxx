@@ -8,7 +8,6 @@
 #include "vtkOrthogonalSliceReconstruction.h"
 #include "vtkOrthogonalSlicer.h"
 
-#include "Support/AnalyticSolids.h"
 #include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
 #include "Support/SliceSolid.h"
@@ -41,16 +40,6 @@ using namespace orthoslices::support;
 
 namespace
 {
-const PieceSets& TorusSlices()
-{
-  static const PieceSets sets = []
-  {
-    const Solid solid = TiltedTorus();
-    return SliceSolid(solid, EqualPlanes(solid, { 8, 9, 10 }), 6, InPlaneGrid::Aligned);
-  }();
-  return sets;
-}
-
 vtkSmartPointer<vtkPolyData> ToPolyData(const Polylines& lines, int type = VTK_DOUBLE)
 {
   vtkNew<vtkPoints> points;

@@ -334,6 +334,30 @@ TEST(Labels, WithoutLabelArrayThereAreNoArrays)
   }
 }
 
+TEST(Labels, AllInputsSayWhichArraysThereAre)
+{
+  LabelRun none;
+  EXPECT_EQ(none.Filter->GetCellArrayNames()->GetNumberOfValues(), 0);
+  LabelRun run;
+  run.Filter->SetInputData(1, MergeNamed(ThreeBalls(), 1));
+  auto last = MergeNumbered(ThreeBalls(), 2);
+  vtkNew<vtkDoubleArray> other;
+  other->SetNumberOfTuples(last->GetNumberOfCells());
+  other->SetName("Depth");
+  last->GetCellData()->AddArray(other);
+  vtkNew<vtkDoubleArray> nameless;
+  nameless->SetNumberOfTuples(last->GetNumberOfCells());
+  last->GetCellData()->AddArray(nameless);
+  run.Filter->SetInputData(3, last);
+  for (int twice = 0; twice < 2; ++twice)
+  {
+    vtkStringArray* names = run.Filter->GetCellArrayNames();
+    ASSERT_EQ(names->GetNumberOfValues(), 2);
+    EXPECT_EQ(names->GetValue(0), "Depth");
+    EXPECT_EQ(names->GetValue(1), "Structure");
+  }
+}
+
 TEST(Labels, AnArrayThatNoInputHasIsAnError)
 {
   LabelRun run(ThreeBalls());

@@ -140,6 +140,7 @@ TEST(ReconstructionFilter, DefaultsAndRanges)
   EXPECT_EQ(filter->GetOrientation(), vtkOrthogonalSliceReconstruction::ORIENT_BY_NESTING);
   EXPECT_EQ(filter->GetInvalidContours(), vtkOrthogonalSliceReconstruction::MEND);
   EXPECT_EQ(filter->GetBorderContours(), vtkOrthogonalSliceReconstruction::CLOSE_ALONG_BORDER);
+  EXPECT_LT(filter->GetBorderBounds()[1], filter->GetBorderBounds()[0]);
   EXPECT_EQ(filter->GetCrossingContours(), vtkOrthogonalSliceReconstruction::REPAIR_CROSSING);
   EXPECT_EQ(filter->GetLoopRule(), vtkOrthogonalSliceReconstruction::UNION);
   EXPECT_EQ(filter->GetRedrawnTolerance(), 0.05);
@@ -179,6 +180,7 @@ TEST(ReconstructionFilter, EverySetterChangesTheTimeOnlyIfTheValueChanges)
     [&] { filter->SetBorderContoursToLeaveOpen(); },
     [&] { filter->SetBorderContoursToRefuse(); },
     [&] { filter->SetBorderContoursToCloseAlongBorder(); },
+    [&] { filter->SetBorderBounds(0.0, 4.0, 0.0, 3.0, 0.0, 2.0); },
     [&] { filter->SetCrossingContoursToRefuse(); },
     [&] { filter->SetCrossingContoursToLeaveOut(); },
     [&] { filter->SetLoopRuleToEvenOdd(); },
@@ -218,10 +220,10 @@ TEST(ReconstructionFilter, PrintsEveryProperty)
   std::ostringstream text;
   filter->Print(text);
   for (const char* name : { "PlaneTolerance: 1e-05", "Orientation: ", "InvalidContours: LeaveOut",
-         "BorderContours: CloseAlongBorder", "CrossingContours: ", "LoopRule: Union",
-         "RedrawnTolerance: 0.05", "Frame: Automatic", "FrameNormals: 1 0 0 0 1 0 0 0 1",
-         "CentralPoint: ", "AxisWeights: 1 1 1", "ReportTolerance: 0.001",
-         "ComputeNormals: ", "OutputPointsPrecision: " })
+         "BorderContours: CloseAlongBorder", "BorderBounds: 0 -1 0 -1 0 -1",
+         "CrossingContours: ", "LoopRule: Union", "RedrawnTolerance: 0.05", "Frame: Automatic",
+         "FrameNormals: 1 0 0 0 1 0 0 0 1", "CentralPoint: ", "AxisWeights: 1 1 1",
+         "ReportTolerance: 0.001", "ComputeNormals: ", "OutputPointsPrecision: " })
   {
     EXPECT_TRUE(Contains(text.str(), name)) << name;
   }
@@ -498,6 +500,15 @@ TEST(ReconstructionFilter, ContoursThatEndAtTheBorderAreClosedOrRefused)
   EXPECT_GE(bounds[1], 3.0);
   EXPECT_LE(bounds[1], 3.02) << "nothing beyond the border but two hundredths of a spacing";
   EXPECT_EQ(run.Filter->GetProblemTable()->GetNumberOfRows(), 4);
+  TextRun given{ text };
+  given.Filter->SetBorderBounds(0.0, 2.0, 0.0, -1.0, 0.0, -1.0); // no contour ends there
+  given.Update();
+  for (const std::string& warning : given.Warnings)
+  {
+    EXPECT_FALSE(Contains(warning, "border of the image")) << warning;
+  }
+  given.Filter->SetBorderBounds(0.0, 3.0, 0.0, -1.0, 0.0, -1.0);
+  EXPECT_EQ(MeshOf(given.Update()).Points, MeshOf(surface).Points);
   TextRun open{ text };
   open.Filter->SetBorderContoursToLeaveOpen();
   surface = open.Update();

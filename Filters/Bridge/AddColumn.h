@@ -8,6 +8,9 @@
 #ifndef OrthoSlicesAddColumn_h
 #define OrthoSlicesAddColumn_h
 
+#include "Core/Base/Types.h"
+
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
 
@@ -22,6 +25,28 @@ Array* AddColumn(vtkTable* table, const char* name)
   table->AddColumn(column);
   return column;
 }
+
+/// Three columns with the coordinates of points.
+class PointColumns
+{
+public:
+  PointColumns(vtkTable* table, const std::array<const char*, 3>& names)
+    : Columns{ AddColumn<vtkDoubleArray>(table, names[0]),
+      AddColumn<vtkDoubleArray>(table, names[1]), AddColumn<vtkDoubleArray>(table, names[2]) }
+  {
+  }
+
+  void InsertNext(const Point3& point)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Columns[axis]->InsertNextValue(point[axis]);
+    }
+  }
+
+private:
+  std::array<vtkDoubleArray*, 3> Columns;
+};
 }
 
 #endif

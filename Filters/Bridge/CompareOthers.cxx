@@ -69,7 +69,8 @@ void WriteOthers(const Polylines& lines, const std::vector<Agreement>& distances
   }
 }
 
-std::string DescribeOthers(const Polylines& lines, const std::vector<Agreement>& distances)
+std::string DescribeOthers(const Polylines& lines, const std::vector<Agreement>& distances,
+  const std::vector<std::uint8_t>& guiding)
 {
   std::ostringstream text;
   if (lines.Count() == 0)
@@ -79,7 +80,14 @@ std::string DescribeOthers(const Polylines& lines, const std::vector<Agreement>&
   text << "\n"
        << lines.Count()
        << " contours lie on planes at other angles than those of up to three families, and take no "
-          "part as slices. Distance of the surface from them:";
+          "part as slices. ";
+  const auto guides = std::count(guiding.begin(), guiding.end(), std::uint8_t(1));
+  if (guides > 0)
+  {
+    text << "Between the slices, the surface bends through the planes of " << guides
+         << " of them. ";
+  }
+  text << "Distance of the surface from them:";
   for (Index line = 0; line < std::min(lines.Count(), ListedContours); ++line)
   {
     text << "\n  port " << int(lines.From.Port[line]);

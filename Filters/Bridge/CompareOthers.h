@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   contours on planes of no family, which take no part in the surface: how far it is from them
+ * @brief   contours on planes of no family, which are no slices: how far the surface is from them
  */
 
 #ifndef OrthoSlicesCompareOthers_h
@@ -11,6 +11,7 @@
 #include "Core/Base/Polylines.h"
 #include "Core/Crossings/MeasureAgreement.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,10 @@ std::vector<Agreement> MeasureDistances(const Polylines& lines, vtkPolyData* sur
 /// Appends a row for each polyline to the table of contours.
 void WriteOthers(const Polylines& lines, const std::vector<Agreement>& distances, vtkTable* table);
 
-/// What the user should be told of them; empty if there are none.
-std::string DescribeOthers(const Polylines& lines, const std::vector<Agreement>& distances);
+/// What the user should be told of them; empty if there are none. `guiding` says of each whether the
+/// surface was bent through contours of its plane (Reconstruction::Guiding).
+std::string DescribeOthers(const Polylines& lines, const std::vector<Agreement>& distances,
+  const std::vector<std::uint8_t>& guiding);
 }
 
 #endif

@@ -148,6 +148,12 @@ void DescribeRedrawnArcs(const Reconstruction& result, std::ostringstream& text)
   }
 }
 
+/// A number of things, where there are any.
+std::string DescribeCount(const char* before, Index count, const char* things)
+{
+  return count > 0 ? before + std::to_string(count) + things : std::string();
+}
+
 /// Repairs that small ones are taken out of, and node points.
 void DescribeContradictions(
   const Reconstruction& result, double tolerance, std::ostringstream& text)
@@ -158,15 +164,25 @@ void DescribeContradictions(
       return repair.Kind == RepairKind::VertexRelabelled ||
         repair.Kind == RepairKind::CrossingsSnipped;
     });
+  const Reconciliation& counts = result.Reconciled;
+  const std::string where = reconciled ? DescribeCount(" at ", counts.Vertices, " grid vertices") +
+      (counts.Vertices > 0 && counts.Edges > 0 ? " and" : "") +
+      DescribeCount(" on ", counts.Edges, " grid edges")
+                                       : std::string();
   const Index disagreements = CountDisagreements(result, tolerance);
-  if (reconciled || disagreements > 0)
+  if (where.empty() && disagreements == 0)
   {
-    text << "\nThe slices contradict each other at " << result.Reconciled.Vertices
-         << " grid vertices and on " << result.Reconciled.Edges
-         << " grid edges, where they were reconciled, and by more than " << tolerance << " at "
-         << disagreements << " of " << CountRealNodes(result.Grid, result.Crossings, result.Nodes)
-         << " node points." << DescribeWorstSlice(result) << DescribeOverruledSlice(result);
+    return;
   }
+  text << "\nThe slices contradict each other" << where;
+  text << (where.empty() ? "" : ", where they were reconciled");
+  if (disagreements > 0)
+  {
+    text << (where.empty() ? "" : ", and") << " by more than " << tolerance << " at "
+         << disagreements << " of " << CountRealNodes(result.Grid, result.Crossings, result.Nodes)
+         << " node points";
+  }
+  text << "." << DescribeWorstSlice(result) << DescribeOverruledSlice(result);
 }
 
 /// Contours that take no part in the surface although nothing is wrong with them.

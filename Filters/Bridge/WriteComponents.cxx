@@ -14,7 +14,7 @@
 
 namespace orthoslices
 {
-void WriteComponentTable(vtkPolyData* surface, vtkTable* table)
+void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, vtkTable* table)
 {
   auto* ids = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("ComponentId"));
   auto* number =
@@ -23,24 +23,20 @@ void WriteComponentTable(vtkPolyData* surface, vtkTable* table)
   VisitTriangles(surface,
     [&](const auto* xyz, const auto* triangles, vtkIdType count)
     {
-      measures = MeasureComponents(
-        xyz, triangles, count, ids->GetPointer(0), static_cast<int>(number->GetValue(0)));
+      measures = MeasureComponents(xyz, triangles, count, ids->GetPointer(0),
+        static_cast<int>(number->GetValue(0)), mayBeOpen);
     });
   auto* component = AddColumn<vtkIntArray>(table, "ComponentId");
   auto* area = AddColumn<vtkDoubleArray>(table, "Area");
   auto* volume = AddColumn<vtkDoubleArray>(table, "Volume");
-  vtkDoubleArray* centroid[3] = { AddColumn<vtkDoubleArray>(table, "CentroidX"),
-    AddColumn<vtkDoubleArray>(table, "CentroidY"), AddColumn<vtkDoubleArray>(table, "CentroidZ") };
+  PointColumns centroid(table, { "CentroidX", "CentroidY", "CentroidZ" });
   auto* triangles = AddColumn<vtkIdTypeArray>(table, "Triangles");
   for (std::size_t i = 0; i < measures.size(); ++i)
   {
     component->InsertNextValue(static_cast<int>(i));
     area->InsertNextValue(measures[i].Area);
     volume->InsertNextValue(measures[i].Volume);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      centroid[axis]->InsertNextValue(measures[i].Centroid[axis]);
-    }
+    centroid.InsertNext(measures[i].Centroid);
     triangles->InsertNextValue(measures[i].Triangles);
   }
 }

@@ -150,8 +150,7 @@ void WriteSliceTable(const Reconstruction& result, vtkTable* table)
 
 void WriteUndecidedTable(const Reconstruction& result, vtkTable* table)
 {
-  vtkDoubleArray* where[3] = { AddColumn<vtkDoubleArray>(table, "X"),
-    AddColumn<vtkDoubleArray>(table, "Y"), AddColumn<vtkDoubleArray>(table, "Z") };
+  PointColumns where(table, { "X", "Y", "Z" });
   auto* kind = AddColumn<vtkIntArray>(table, "Kind");
   auto* choice = AddColumn<vtkIntArray>(table, "Choice");
   auto* evidence = AddColumn<vtkDoubleArray>(table, "Evidence");
@@ -161,10 +160,7 @@ void WriteUndecidedTable(const Reconstruction& result, vtkTable* table)
   auto* settles = AddColumn<vtkIdTypeArray>(table, "PlaneSettles");
   for (const UndecidedPlace& place : result.Undecided.Places)
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      where[i]->InsertNextValue(place.Where[i]);
-    }
+    where.InsertNext(place.Where);
     kind->InsertNextValue(static_cast<int>(place.Kind));
     choice->InsertNextValue(static_cast<int>(place.Choice));
     evidence->InsertNextValue(place.Evidence);
@@ -185,8 +181,7 @@ void WriteProblemTable(const Reconstruction& result, vtkTable* table)
   auto* kind = AddColumn<vtkIntArray>(table, "Kind");
   auto* name = AddColumn<vtkStringArray>(table, "KindName");
   auto* leftOut = AddColumn<vtkUnsignedCharArray>(table, "LeftOut");
-  vtkDoubleArray* where[3] = { AddColumn<vtkDoubleArray>(table, "X"),
-    AddColumn<vtkDoubleArray>(table, "Y"), AddColumn<vtkDoubleArray>(table, "Z") };
+  PointColumns where(table, { "X", "Y", "Z" });
   auto* size = AddColumn<vtkDoubleArray>(table, "Size");
   for (const auto* problems : { &result.Mended, &result.Invalid, &result.CrossingProblems })
   {
@@ -198,10 +193,7 @@ void WriteProblemTable(const Reconstruction& result, vtkTable* table)
       kind->InsertNextValue(static_cast<int>(problem.Kind));
       name->InsertNextValue(NameOf(problem.Kind));
       leftOut->InsertNextValue(problem.IsLeftOut ? 1 : 0);
-      for (int i = 0; i < 3; ++i)
-      {
-        where[i]->InsertNextValue(problem.Where[i]);
-      }
+      where.InsertNext(problem.Where);
       size->InsertNextValue(problem.Size);
     }
   }

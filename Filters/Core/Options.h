@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesOptions_h
 #define OrthoSlicesOptions_h
 
+#include "Core/Base/AxisFrame.h"
 #include "Core/Cells/ChooseJoins.h"
 #include "Core/Correspondence/FindCorrespondences.h"
 #include "Core/Crossings/ReconcileSlices.h"
@@ -12,6 +13,7 @@
 #include "Core/Patches/InnerPatches.h"
 #include "Core/Pieces/ImageBorder.h"
 #include "Core/Slices/OrientContours.h"
+#include "Core/Sparse/GuideCurves.h"
 
 namespace orthoslices
 {
@@ -46,11 +48,13 @@ struct Options
   Orientation Orient = Orientation::ByNesting;
   InvalidContours Invalid = InvalidContours::Mend;
   BorderContours AtBorder = BorderContours::CloseAlong; ///< with InvalidContours::Mend
+  Box3 GivenBorder; ///< of the image, along the axes; of an axis along which it is empty, it is found
   CrossingContours Crossing = CrossingContours::Repair;
   LoopRule Loops = LoopRule::Union; ///< with Repair
   double RedrawnShare = 0.05;       ///< of the thickness of contours; see RemoveRedrawn
   bool SinglePrecision = false; ///< the result will be stored as float
   double Quantum = 0.0;         ///< see SpatialGrid; 0: coordinates are not rounded on its account
+  AxisFrame Metric;             ///< see SpatialGrid
   bool InsertMissing = true;    ///< contours that slices lack; see FindMissingContours
   AxisWeights Weights{ 1.0, 1.0, 1.0 };
   CentralPointMethod Central = CentralPointMethod::LeastSquares;
@@ -64,6 +68,8 @@ struct Options
   double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
   VirtualSlices Virtual = VirtualSlices::Off;
   double VirtualSpacing = 0.0; ///< with BySpacing, in world units; 0: as with Automatic
+  /// Contours on planes of no family, which guide the surface where virtual slices are made; or null.
+  const std::vector<GuideContours>* Guides = nullptr;
   /// Smaller ones are left out, by the diagonal of their bounding box as a fraction of that of all
   /// contours.
   double MinIsolatedContour = 0.0;

@@ -71,6 +71,7 @@ void Pass::BuildGrid()
 {
   this->Result.Grid = BuildSpatialGrid(this->Tables.Contours, this->Tables.Tolerance,
     this->Settings.SinglePrecision, this->Settings.Quantum);
+  this->Result.Grid.Metric = this->Settings.Metric;
   this->Result.Grid.BothWays = this->Settings.Patching.Shared != nullptr;
   LimitBounds(this->Tables.Border, this->Result.Grid);
   LimitBoundsTo(this->Bounds, this->Result.Grid);

@@ -67,6 +67,16 @@ double DistanceFrom(const SurfaceTriangles& surface, const Point3& place)
 }
 }
 
+std::vector<WorldLoop> ListLoops(const Contours& drawn, const Pass& pass)
+{
+  std::vector<WorldLoop> loops = MapToWorld(drawn, pass.Settings.Metric);
+  if (pass.Settings.Guides != nullptr)
+  {
+    AppendGuides(*pass.Settings.Guides, pass.Settings.Metric, loops);
+  }
+  return loops;
+}
+
 double ComparePredictions(
   const Contours& drawn, const Pass& first, double step, const Sketcher& sketch)
 {
@@ -75,7 +85,7 @@ double ComparePredictions(
   {
     const Contours others = SelectSlice(drawn, slice, false);
     // Half as many samples cost an eighth of the time, and are as good for that.
-    const SliceField field(others, 2.0 * step, first.Execute);
+    const SliceField field(SampleLoops(ListLoops(others, first), 2.0 * step), first.Execute);
     Pass pass(first, Contours(others));
     if (!field.IsSolved())
     {
@@ -85,9 +95,15 @@ double ComparePredictions(
     {
       return 0.0;
     }
-    const SurfaceTriangles surface =
+    const AxisFrame& metric = first.Result.Grid.Metric;
+    SurfaceTriangles surface =
       ListTriangles(GeometryOf(pass.Result), pass.Result.Surface, first.Execute);
-    for (const ContourSample& sample : SampleContours(SelectSlice(drawn, slice, true), 2.0 * step))
+    for (Point3& point : surface.Points)
+    {
+      point = metric.ToWorld(point);
+    }
+    const std::vector<WorldLoop> left = MapToWorld(SelectSlice(drawn, slice, true), metric);
+    for (const ContourSample& sample : SampleLoops(left, 2.0 * step))
     {
       byPatches += DistanceFrom(surface, sample.Position);
       byField += field.Distance(sample.Position);

@@ -4,6 +4,7 @@
 #define OrthoSlicesPredictSlices_h
 
 #include "Core/Pass.h"
+#include "Core/Sparse/ContourSamples.h"
 
 #include <functional>
 
@@ -26,6 +27,9 @@ using Sketcher = std::function<bool(Pass& pass)>;
  */
 double ComparePredictions(
   const Contours& drawn, const Pass& first, double step, const Sketcher& sketch);
+
+/// The contours of a pass in the world, and those on planes of no family.
+std::vector<WorldLoop> ListLoops(const Contours& drawn, const Pass& pass);
 }
 
 #endif

@@ -58,6 +58,7 @@ bool ReadContours(std::array<Pieces, 3>&& pieces, Pass& pass)
   settings.Mend = pass.Settings.Invalid == InvalidContours::Mend;
   settings.AloneTolerance = AloneTolerance * pass.Result.Diagonal;
   settings.AtBorder = pass.Settings.AtBorder;
+  settings.GivenBorder = pass.Settings.GivenBorder;
   PieceProblems problems = AssembleContours(std::move(pieces), settings, pass.Tables.Contours);
   pass.Result.Invalid = std::move(problems.Unusable);
   pass.Result.Mended = std::move(problems.Mended);

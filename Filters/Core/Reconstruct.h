@@ -51,7 +51,8 @@ namespace orthoslices
  * surface is the result if it has as many components and handles as the first one; otherwise the
  * first one is, and its cycles are filled again, as Options::Patching says. For a stack with a few
  * slices across, this is tried first with the surface of the stack alone in the place of the first
- * one, bent through the contours of the slices across. Repairs and agreement are those of the real
+ * one, bent through the contours of the slices across. Contours on planes of no family
+ * (Options::Guides) guide either surface. Repairs and agreement are those of the real
  * slices in any case.
  *
  * Filters/Core/README.md has the data between the stages, the sampling condition, and the arguments

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/ReconstructSorted.h"
 
+#include "Core/ReadGuides.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -40,6 +42,21 @@ double ChooseQuantum(const std::array<Pieces, 3>& slices, bool singlePrecision)
   }
   const int bits = singlePrecision ? 20 : 44;
   return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) + 1 - bits) : 0.0;
+}
+
+/// What is said of planes, for each of the polylines on them; 0 if it is not said.
+std::vector<std::uint8_t> SpreadOverLines(
+  const std::vector<OtherPlane>& planes, const std::vector<std::uint8_t>& ofPlanes, Index count)
+{
+  std::vector<std::uint8_t> ofLines(count, 0);
+  for (std::size_t i = 0; i < ofPlanes.size(); ++i)
+  {
+    for (const Index line : planes[i].Lines)
+    {
+      ofLines[line] = ofPlanes[i];
+    }
+  }
+  return ofLines;
 }
 
 /// The surface with its normals.
@@ -127,7 +144,17 @@ Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
   {
     settings.Quantum = ChooseQuantum(sorted.Slices, options.SinglePrecision);
   }
+  if (!sorted.Frame.IsRotation())
+  {
+    settings.Metric = sorted.Frame;
+  }
+  const std::vector<OtherPlane> planes =
+    FindOtherPlanes(sorted.Others, options.PlaneTolerance * DiagonalOf(sorted.Others));
+  const std::vector<GuideContours> guides =
+    ReadGuides(sorted.Others, planes, sorted.Frame, settings, execution);
+  settings.Guides = guides.empty() ? nullptr : &guides;
   Reconstruction result = Reconstruct(std::move(sorted.Slices), settings, execution, observer);
+  result.Guiding = SpreadOverLines(planes, result.Guiding, sorted.Others.Count());
   NameSources(sorted.From, result);
   result.Sources = std::move(sorted.From);
   result.Frame = sorted.Frame;

@@ -13,10 +13,12 @@ namespace orthoslices
  * world; planes, their bounds and the cells of M are numbered and measured along the axes of the
  * frame (Reconstruction::Frame). Problems and contours have the port and the cell that they come from.
  *
- * In a frame that is no rotation, the stages see boxes where the cells are oblique: which contours
- * belong together and the shape of patches are those of the boxes, mapped. Distances along an axis,
- * such as the disagreement of slices, are measured at right angles to the planes of that axis in
- * any frame; other lengths of the report are those along the axes.
+ * In a frame that is no rotation, the stages see boxes where the cells are oblique, but lengths and
+ * angles that the surface depends on are those of the world (Options::Metric). Distances along an
+ * axis, such as the disagreement of slices, are measured at right angles to the planes of that axis
+ * in any frame; other lengths of the report are those along the axes.
+ *
+ * Contours on planes of no family guide the surface where it bends from slice to slice (Options::Guides).
  */
 Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
   const Execution& execution, const StageObserver& observer = {});

@@ -9,7 +9,7 @@
 #include "Core/Cells/UndecidedPlaces.h"
 #include "Core/Crossings/MeasureAgreement.h"
 #include "Core/Crossings/ReconcileSlices.h"
-#include "Core/Frames/AxisFrame.h"
+#include "Core/Base/AxisFrame.h"
 #include "Core/Graph/CycleGeometry.h"
 #include "Core/Graph/IsolatedContours.h"
 #include "Core/Patches/EstimateNormals.h"
@@ -67,6 +67,9 @@ struct Reconstruction
   SurfaceTopology Topology;
   std::vector<Index> PolygonSizes; ///< see CountPolygonSizes; of the real slices alone
   UndecidedPlaces Undecided;       ///< those of the real slices alone
+  /// Whether the surface was bent through contours of each of Options::Guides; empty if it is not bent.
+  /// Of ReconstructSorted: of each polyline on a plane of no family.
+  std::vector<std::uint8_t> Guiding;
   UndecidedPlaces Doubtful;  ///< of these, the ones to tell the user of; see FindDoubtfulJoins
   Index SmallComponents = 0; ///< left out
   SurfaceNormals Normals;    ///< of G; not for PatchMethod::Fan and Coons

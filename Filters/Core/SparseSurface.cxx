@@ -6,6 +6,7 @@
 #include "Core/MakeSurface.h"
 #include "Core/PredictSlices.h"
 #include "Core/RealSlices.h"
+#include "Core/Slices/EndSlices.h"
 #include "Core/Sparse/FieldSlices.h"
 #include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
@@ -17,6 +18,16 @@ namespace orthoslices
 {
 namespace
 {
+/// What the second pass adds to the slices, and what has to come of it.
+struct SecondPass
+{
+  Contours Added; ///< virtual ones
+  PriorKnowledge Known;
+  std::function<bool(const SurfaceTopology&)> IsRight;
+  Box3 Bounds;                       ///< of the surface, besides those of the grid
+  std::vector<std::uint8_t> Guiding; ///< see Reconstruction
+};
+
 /// Runs the passes; see MakeSparseSurface.
 class SparseRunner
 {
@@ -34,11 +45,11 @@ private:
   bool Sketch(Pass& pass) const;
   bool FillFirst();
   bool BendStack();
+  bool BendAll();
   bool Bend(const Reconstruction& base, GuideCurves&& guides);
   bool SketchWithoutField(Pass& pass) const;
   bool FollowField();
-  using IsTopologyRight = std::function<bool(const SurfaceTopology&)>;
-  bool RunAgain(const Contours& added, const PriorKnowledge& known, const IsTopologyRight& isRight);
+  bool RunAgain(SecondPass&& second);
   bool Stop();
 
   const SparseSlices& Sparse;
@@ -85,7 +96,59 @@ bool SparseRunner::BendStack()
   {
     return this->Stop();
   }
-  return this->Bend(stack.Result, CutGuides(this->Drawn, this->First.Result.Grid, axis));
+  GuideCurves guides = CutGuides(this->Drawn, this->First.Result.Grid, axis);
+  if (this->First.Settings.Guides != nullptr)
+  {
+    AddGuides(*this->First.Settings.Guides, guides);
+  }
+  return this->Bend(stack.Result, std::move(guides));
+}
+
+/// The surface of all slices bends, through the contours on planes of no family if it comes out with its
+/// topology so. Such planes are nearly parallel to a single family, and say nothing beside it.
+bool SparseRunner::BendAll()
+{
+  const std::vector<GuideContours>* others = this->First.Settings.Guides;
+  const auto& planes = this->First.Result.Grid.Planes;
+  if (others != nullptr && !others->empty() && FindOnlyFamily(this->First.Result.Grid) < 0)
+  {
+    GuideCurves guides;
+    guides.Planes = planes;
+    AddGuides(*others, guides);
+    if (this->Bend(this->First.Result, std::move(guides)))
+    {
+      return true;
+    }
+  }
+  GuideCurves ends;
+  ends.HalfSliceEnds = this->First.Settings.Ends == EndCaps::HalfSlice;
+  return !this->First.Result.Stopped && this->Bend(this->First.Result, std::move(ends));
+}
+
+/// Which of the planes of no family guide, which are the last of all guides.
+std::vector<std::uint8_t> ListGuiding(const Options& settings, const GuideCurves& guides)
+{
+  std::vector<std::uint8_t> guiding;
+  if (settings.Guides != nullptr && guides.Slices.size() >= settings.Guides->size())
+  {
+    for (std::size_t i = guides.Slices.size() - settings.Guides->size(); i < guides.Slices.size();
+         ++i)
+    {
+      guiding.push_back(guides.Slices[i].Guiding > 0 ? 1 : 0);
+    }
+  }
+  return guiding;
+}
+
+/// A field goes through all of them that have contours.
+std::vector<std::uint8_t> ListGuiding(const Options& settings)
+{
+  std::vector<std::uint8_t> guiding;
+  for (std::size_t i = 0; settings.Guides != nullptr && i < settings.Guides->size(); ++i)
+  {
+    guiding.push_back((*settings.Guides)[i].Loops.empty() ? 0 : 1);
+  }
+  return guiding;
 }
 
 /// What a second surface has to come out as. Components that were too small are drawn nevertheless,
@@ -96,12 +159,49 @@ PriorKnowledge TopologyOf(const Reconstruction& base)
   return { base.Topology.Components + small, small > 0 ? -1 : base.Topology.Genus };
 }
 
+/// Where a stack ends flat with all that lies on its first or on its last slice: bounds close to it, so that
+/// smooth patches between virtual slices do not bulge there.
+Box3 FlatEndsOf(const Reconstruction& base)
+{
+  Box3 bounds = Everywhere();
+  const int axis = FindOnlyFamily(base.Grid);
+  if (axis < 0 || base.Grid.Count(axis) < 2)
+  {
+    return bounds;
+  }
+  const double first = base.Grid.Planes[axis].front(), last = base.Grid.Planes[axis].back();
+  double below = 0.0, above = 0.0;
+  const auto add = [&](double coordinate)
+  {
+    below = std::max(below, first - coordinate);
+    above = std::max(above, coordinate - last);
+  };
+  for (const std::vector<double>* points :
+    { &base.Surface.CentralPoints, &base.Surface.Inner.Points })
+  {
+    for (std::size_t i = axis; i < points->size(); i += 3)
+    {
+      add((*points)[i]);
+    }
+  }
+  for (const PatchMesh& mesh : base.Surface.Meshes)
+  {
+    for (const Point3& point : mesh.Points)
+    {
+      add(point[axis]);
+    }
+  }
+  const double flat = FlatShare * base.Grid.MeanSpacing(axis);
+  bounds.Low[axis] = below < flat ? first - 2.0 * below : bounds.Low[axis];
+  bounds.High[axis] = above < flat ? last + 2.0 * above : bounds.High[axis];
+  return bounds;
+}
+
 /// Makes the surface of real and virtual slices, and takes it if its topology is right.
-bool SparseRunner::RunAgain(
-  const Contours& added, const PriorKnowledge& known, const IsTopologyRight& isRight)
+bool SparseRunner::RunAgain(SecondPass&& second)
 {
   Reconstruction& first = this->First.Result;
-  if (first.Stopped || added.Count() == 0)
+  if (first.Stopped || second.Added.Count() == 0)
   {
     return false;
   }
@@ -109,19 +209,21 @@ bool SparseRunner::RunAgain(
   const std::vector<Index> leftOut = FindLeftOut(first.Isolated, parts);
   Contours contours = this->Drawn;
   RemoveContours(leftOut, parts, contours);
-  AddVirtual(added, contours);
+  AddVirtual(second.Added, contours);
   Pass again(this->First, std::move(contours));
-  again.Settings.Known = known;
+  LimitBoundsTo(second.Bounds, again.Result.Grid);
+  again.Settings.Known = second.Known;
   again.SetShare(0.48, 0.88); // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole
   if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
   {
     return this->Stop();
   }
-  if (!isRight(again.Result.Topology))
+  if (!second.IsRight(again.Result.Topology))
   {
     return false;
   }
   TakeReport(first, leftOut, again.Result);
+  again.Result.Guiding = std::move(second.Guiding);
   first = std::move(again.Result);
   return true;
 }
@@ -132,12 +234,14 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
 {
   Execution execution = this->First.Execute;
   execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
-  const Contours added = MakeVirtualSlices(
-    { GeometryOf(base), base.Surface, this->First.Result.Grid, std::move(guides) },
-    this->Sparse.Bending, execution);
+  const Contours added =
+    MakeVirtualSlices({ GeometryOf(base), base.Surface, this->First.Result.Grid, guides },
+      this->Sparse.Bending, execution);
   const SurfaceTopology wanted = base.Topology;
   return this->RunAgain(
-    added, TopologyOf(base), [&](const SurfaceTopology& found) { return found == wanted; });
+    { added, TopologyOf(base), [&](const SurfaceTopology& found) { return found == wanted; },
+      guides.Slices.empty() ? FlatEndsOf(base) : Everywhere(),
+      ListGuiding(this->First.Settings, guides) });
 }
 
 /// The surface of some of the contours that there would be if there were no field.
@@ -165,14 +269,15 @@ bool SparseRunner::FollowField()
   // A surface that was bent is as smooth as a field; patches within cells are not.
   const double enough = this->Sparse.Bending.IsSparse() ? 1.0 : 0.75;
   const Pass& first = this->First;
-  const double step = SampleStep(this->Drawn, this->Sparse.EdgeLength());
+  const std::vector<WorldLoop> loops = ListLoops(this->Drawn, first);
+  const double step = SampleStep(loops, this->Sparse.EdgeLength());
   const double patchesByField = ComparePredictions(
     this->Drawn, first, step, [this](Pass& pass) { return this->SketchWithoutField(pass); });
   if (patchesByField < enough || !this->First.GoOn(0.5))
   {
     return false;
   }
-  const SliceField field(this->Drawn, step, first.Execute);
+  const SliceField field(SampleLoops(loops, step), first.Execute);
   if (!field.IsSolved() || !this->First.GoOn(0.8))
   {
     return false;
@@ -180,13 +285,13 @@ bool SparseRunner::FollowField()
   const Contours added = CutField(field, first.Result.Grid, this->Sparse.Field, first.Execute);
   const PriorKnowledge known{ TopologyOf(first.Result).Components, -1 };
   const Index genus = first.Result.Topology.Genus;
+  const auto isRight = [&](const SurfaceTopology& found)
+  {
+    return found.Components <= known.Components &&
+      (found.Genus <= genus || patchesByField >= asGood);
+  };
   return this->First.GoOn(1.0) &&
-    this->RunAgain(added, known,
-      [&](const SurfaceTopology& found)
-      {
-        return found.Components <= known.Components &&
-          (found.Genus <= genus || patchesByField >= asGood);
-      });
+    this->RunAgain({ added, known, isRight, Everywhere(), ListGuiding(first.Settings) });
 }
 
 bool SparseRunner::Run()
@@ -206,7 +311,7 @@ bool SparseRunner::Run()
   const Reconstruction& result = this->First.Result;
   const bool isDone = (this->Sparse.Field.IsSparse() && this->FollowField()) ||
     (!result.Stopped && this->Sparse.Bending.IsSparse() &&
-      (this->BendStack() || (!result.Stopped && this->Bend(result, {}))));
+      (this->BendStack() || (!result.Stopped && this->BendAll())));
   return !result.Stopped && (isDone || this->FillFirst());
 }
 }

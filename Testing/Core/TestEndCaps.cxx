@@ -164,6 +164,24 @@ TEST(EndCaps, HalfSlicesAddHalfPlates)
 }
 
 //----------------------------------------------------------------------------
+/// Smooth patches between virtual slices do not bulge beyond an end that is flat.
+TEST(EndCaps, FlatEndsAreFlat)
+{
+  const auto ball = [](double z) { return std::sqrt(900.0 - z * z); };
+  for (const PieceSets& sets : { StackOf(20, -28.5, ball), StackOf(20, -28.5, Twenty) })
+  {
+    double low = 0.0, high = 0.0;
+    for (const Point3& point : MeshOf(RunWith(sets, EndCaps::Flat)).Points)
+    {
+      low = std::min(low, point[2]);
+      high = std::max(high, point[2]);
+    }
+    EXPECT_GE(low, -28.5 - 2.5e-3 * Spacing);
+    EXPECT_LE(high, 28.5 + 2.5e-3 * Spacing);
+  }
+}
+
+//----------------------------------------------------------------------------
 TEST(EndCaps, PipesKeepTheirHole)
 {
   PieceSets sets = StackOf(9, 0.0, Twenty);
@@ -213,6 +231,67 @@ TEST(EndCaps, FlatEndsBetweenSlices)
   const double both = (8 * AreaOf(20.0) + 3 * AreaOf(8.0)) * Spacing;
   EXPECT_NEAR(VolumeOf(sets, EndCaps::Flat) / both, 1.0, 2e-3);
   EXPECT_GT(VolumeOf(StackOf(1, 0.0, Twenty), EndCaps::Flat), 100.0);
+}
+
+//----------------------------------------------------------------------------
+/// Each slice stands for a plate, also where a branch, a cavity or what is on one slice alone ends
+/// between two slices.
+TEST(EndCaps, HalfSlicesEndBetweenSlices)
+{
+  const double plate = AreaOf(20.0) * Spacing, small = AreaOf(8.0) * Spacing;
+  const auto expect = [](const PieceSets& sets, double volume)
+  { EXPECT_NEAR(VolumeOf(sets, EndCaps::HalfSlice) / volume, 1.0, 0.005); };
+  PieceSets sets = StackOf(9, 0.0, Twenty);
+  for (int i = 2; i < 6; ++i)
+  {
+    AddCircle(8.0, Spacing * i, sets, 60.0); // apart
+  }
+  expect(sets, 9 * plate + 4 * small);
+  AddCircle(8.0, Spacing * 4, sets, -60.0); // on one slice
+  expect(sets, 9 * plate + 5 * small);
+  for (int i = 3; i < 6; ++i)
+  {
+    AddCircle(10.0, Spacing * i, sets, 2.0); // a cavity
+  }
+  expect(sets, 9 * plate + 5 * small - 3 * AreaOf(10.0) * Spacing);
+}
+
+//----------------------------------------------------------------------------
+/// A body of four slices with two prongs that end at different heights, the longer one at the end of the
+/// stack.
+TEST(EndCaps, ProngsEndHalfASliceFarther)
+{
+  PieceSets sets = EmptySets();
+  for (int i = 0; i < 12; ++i)
+  {
+    const double z = Spacing * i;
+    if (i < 4)
+    {
+      AddPiece(sets[2], { { -40.0, -20.0 }, { 40.0, -20.0 }, { 40.0, 20.0 }, { -40.0, 20.0 } }, z);
+      continue;
+    }
+    for (const double x : { -20.0, 20.0 })
+    {
+      if (x < 0.0 || i < 9)
+      {
+        AddPiece(sets[2],
+          { { x - 10.0, -10.0 }, { x + 10.0, -10.0 }, { x + 10.0, 10.0 }, { x - 10.0, 10.0 } }, z);
+      }
+    }
+  }
+  const TriangleMesh mesh = MeshOf(RunWith(sets, EndCaps::HalfSlice));
+  EXPECT_EQ(DescribeFlaws(mesh), "");
+  double shorter = 0.0, longer = 0.0;
+  for (const Point3& p : mesh.Points)
+  {
+    shorter = p[0] > 0.0 ? std::max(shorter, p[2]) : shorter;
+    longer = p[0] < 0.0 ? std::max(longer, p[2]) : longer;
+  }
+  EXPECT_NEAR(shorter, 8.5 * Spacing, 1e-3 * Spacing);
+  EXPECT_NEAR(longer, 11.5 * Spacing, 1e-3 * Spacing);
+  const double flat = VolumeOf(sets, EndCaps::Flat);
+  const double added = 0.5 * Spacing * (3200.0 + 2.0 * 400.0);
+  EXPECT_NEAR((VolumeOf(sets, EndCaps::HalfSlice) - flat) / added, 1.0, 0.03);
 }
 
 //----------------------------------------------------------------------------

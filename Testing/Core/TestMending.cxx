@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -64,19 +65,35 @@ const std::array<int, 3> AllCounts[] = { { 7, 6, 6 }, { 0, 0, 8 }, { 8, 0, 0 }, 
 }
 
 //----------------------------------------------------------------------------
+namespace
+{
+/// Slices of the ellipsoid, damaged in four ways: the volume of the surface is that of whole ones, but for
+/// a share.
+template <typename Damage>
+std::vector<PieceSets> TryDamage(const std::array<int, 3>& counts, double share, Damage&& damage)
+{
+  const PieceSets whole = Slices(counts);
+  const double volume = VolumeOf(whole);
+  std::vector<PieceSets> damaged;
+  for (std::uint64_t seed = 0; seed < 4; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    damaged.push_back(whole);
+    damage(damaged.back(), seed);
+    EXPECT_NEAR(VolumeOf(damaged.back()), volume, share * volume);
+  }
+  return damaged;
+}
+}
+
 TEST(Mending, ContoursThatLackTheirLastPoints)
 {
   for (const auto& counts : AllCounts)
   {
-    const PieceSets whole = Slices(counts);
-    const double volume = VolumeOf(whole);
     std::size_t gaps = 0;
-    for (std::uint64_t seed = 0; seed < 4; ++seed)
+    for (const PieceSets& sets : TryDamage(counts, 0.02,
+           [](PieceSets&whole, std::uint64_t seed) { LoseEnds(whole, 1.0, 0.1, seed); }))
     {
-      SCOPED_TRACE(seed);
-      PieceSets sets = whole;
-      LoseEnds(sets, 1.0, 0.1, seed);
-      EXPECT_NEAR(VolumeOf(sets), volume, 0.02 * volume);
       gaps += CountMended(sets, ProblemKind::GapClosed);
     }
     EXPECT_GT(gaps, 2u) << "shorter ones need no mending";
@@ -88,14 +105,10 @@ TEST(Mending, ContoursThatRunPastTheirStart)
 {
   for (const auto& counts : AllCounts)
   {
-    const PieceSets whole = Slices(counts);
-    const double volume = VolumeOf(whole);
-    for (std::uint64_t seed = 0; seed < 4; ++seed)
+    for (const PieceSets& sets : TryDamage(counts, 0.01,
+           [](PieceSets&whole, std::uint64_t seed)
+           { RunPastStart(whole, 1.0, 0.15, seed % 2 == 0 ? 0.0 : 0.01, seed); }))
     {
-      SCOPED_TRACE(seed);
-      PieceSets sets = whole;
-      RunPastStart(sets, 1.0, 0.15, seed % 2 == 0 ? 0.0 : 0.01, seed);
-      EXPECT_NEAR(VolumeOf(sets), volume, 0.01 * volume);
       EXPECT_GT(CountMended(sets, ProblemKind::OverrunTrimmed), 0u);
     }
   }
@@ -106,15 +119,8 @@ TEST(Mending, ContoursInPiecesWithGaps)
 {
   for (const auto& counts : AllCounts)
   {
-    const PieceSets whole = Slices(counts);
-    const double volume = VolumeOf(whole);
-    for (std::uint64_t seed = 0; seed < 4; ++seed)
-    {
-      SCOPED_TRACE(seed);
-      PieceSets sets = whole;
-      BreakApart(sets, 0.7, 0.03, seed);
-      EXPECT_NEAR(VolumeOf(sets), volume, 0.02 * volume);
-    }
+    TryDamage(counts, 0.02,
+      [](PieceSets& whole, std::uint64_t seed) { BreakApart(whole, 0.7, 0.03, seed); });
   }
 }
 
@@ -123,14 +129,10 @@ TEST(Mending, VerticesBesideTheirPlane)
 {
   for (const auto& counts : AllCounts)
   {
-    const PieceSets whole = Slices(counts);
-    const double volume = VolumeOf(whole);
-    for (std::uint64_t seed = 0; seed < 3; ++seed)
+    for (const PieceSets& sets : TryDamage(counts, 0.02,
+           [](PieceSets&whole, std::uint64_t seed)
+           { LeavePlane(whole, seed == 0 ? 1.0 : 0.5, 0.01, seed); }))
     {
-      SCOPED_TRACE(seed);
-      PieceSets sets = whole;
-      LeavePlane(sets, seed == 0 ? 1.0 : 0.5, 0.01, seed);
-      EXPECT_NEAR(VolumeOf(sets), volume, 0.02 * volume);
       EXPECT_GT(CountMended(sets, ProblemKind::MovedOntoPlane), 0u);
     }
   }

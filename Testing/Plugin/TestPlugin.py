@@ -44,6 +44,7 @@ def check_defaults():
         "Orientation": "By Nesting",
         "InvalidContours": "Mend",
         "BorderContours": "Close Along Border",
+        "BorderBounds": [0.0, -1.0, 0.0, -1.0, 0.0, -1.0],
         "InsertMissingContours": 1,
         "Frame": "Automatic",
         "FrameNormals": [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
@@ -245,6 +246,10 @@ def check_labels():
     rec = reconstruct_sliced(slicer)
     listed = rec.GetProperty("LabelArray").GetAvailable()
     check("Label" in listed and "None" in listed, f"Label Array offers {listed}")
+    only = simple.OrthogonalSliceReconstruction(
+        Contours=simple.OutputPort(slicer, 2))
+    listed = only.GetProperty("LabelArray").GetAvailable()
+    check("Label" in listed and "None" in listed, f"with one input, Label Array offers {listed}")
     rec.LabelArray = "Label"
     surface = fetch(rec)
     check_closed(surface, components=2)

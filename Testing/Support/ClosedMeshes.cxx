@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/ClosedMeshes.h"
 
+#include "Core/Sparse/FairSurface.h"
+#include "Core/Sparse/RemeshSurface.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +21,8 @@ SurfaceMesh Plain(const PlainMesh& mesh)
   const std::size_t points = mesh.Points.size();
   SurfaceMesh surface{ CornerTable(static_cast<Index>(points), mesh.Triangles), mesh.Points,
     std::vector<std::uint8_t>(points, 0), std::vector<std::uint8_t>(points, 0),
-    std::vector<Index>(mesh.Triangles.size(), 0), {}, -1, std::vector<double>(points, 1.0) };
+    std::vector<Index>(mesh.Triangles.size(), 0), {}, AxisFrame(), -1,
+    std::vector<double>(points, 1.0) };
   return surface;
 }
 
@@ -142,6 +146,20 @@ SurfaceMesh FreeSurface(const PlainMesh& mesh, double room)
   SurfaceMesh surface = Plain(mesh);
   surface.Cells.push_back(BoxOf(room, -room, room));
   return surface;
+}
+
+void MakeFair(double length, SurfaceMesh& mesh, bool isPulled)
+{
+  CollapseShortEdges(length, mesh);
+  FlipEdges(mesh);
+  RefineEdges(length, mesh);
+  CollapseShortEdges(length, mesh);
+  FairSurface(EdgeWeights::Uniform, mesh);
+  SplitLongEdges(length, mesh);
+  CollapseShortEdges(length, mesh);
+  FlipEdges(mesh);
+  mesh.StretchAxis = isPulled ? mesh.StretchAxis : -1;
+  FairSurface(EdgeWeights::Cotangents, mesh);
 }
 
 } // namespace support

@@ -258,5 +258,15 @@ PieceSets SliceSolid(const Solid& solid, const PlaneSets& planes,
   return sets;
 }
 
+const PieceSets& TorusSlices()
+{
+  static const PieceSets sets = []
+  {
+    const Solid solid = TiltedTorus();
+    return SliceSolid(solid, EqualPlanes(solid, { 8, 9, 10 }), 6, InPlaneGrid::Aligned);
+  }();
+  return sets;
+}
+
 } // namespace support
 } // namespace orthoslices

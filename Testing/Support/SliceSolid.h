@@ -45,6 +45,9 @@ PieceSets SliceSolid(
 PieceSets SliceSolid(const Solid& solid, const PlaneSets& planes,
   const std::array<int, 3>& subdivisions, InPlaneGrid grid);
 
+/// The tilted torus on 8, 9 and 10 planes; the families agree to the last bit.
+const PieceSets& TorusSlices();
+
 } // namespace support
 } // namespace orthoslices
 

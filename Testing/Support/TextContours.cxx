@@ -160,6 +160,19 @@ std::string ToText(const PieceSets& sets)
   return text.str();
 }
 
+void AddContour(Contours& contours, const std::vector<std::array<double, 2>>& vertices)
+{
+  for (const auto& vertex : vertices)
+  {
+    contours.U.push_back(vertex[0]);
+    contours.V.push_back(vertex[1]);
+  }
+  contours.Offsets.push_back(static_cast<Index>(contours.U.size()));
+  contours.Axis.push_back(2);
+  contours.Coordinate.push_back(0.0);
+  contours.Cell.push_back(contours.Count() - 1);
+}
+
 void AddPiece(Pieces& pieces, const std::vector<std::array<double, 2>>& vertices, double plane)
 {
   for (const auto& vertex : vertices)

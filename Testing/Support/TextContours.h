@@ -42,6 +42,9 @@ Contours ParseContours(const std::string& text);
 /// The text that gives the same pieces, with all digits.
 std::string ToText(const PieceSets& pieces);
 
+/// Appends a contour on z = 0 and numbers its cell.
+void AddContour(Contours& contours, const std::vector<std::array<double, 2>>& vertices);
+
 /// Appends a closed piece and numbers its cell.
 void AddPiece(Pieces& pieces, const std::vector<std::array<double, 2>>& vertices, double plane);
 

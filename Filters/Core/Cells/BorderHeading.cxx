@@ -43,7 +43,9 @@ public:
 private:
   Point3 At(std::size_t place) const
   {
-    return this->Geometry.Graph.PointAt(this->Points[place % this->Points.size()]);
+    const Point3 point = this->Geometry.Graph.PointAt(this->Points[place % this->Points.size()]);
+    const AxisFrame& metric = this->Geometry.Grid.Metric;
+    return metric.IsWorld() ? point : metric.ToWorld(point);
   }
   Point3 Inwards(const HalfArc& half) const;
   double TiltAt(std::size_t place, const Point3& along, const Point3& inwards, bool& known) const;
@@ -72,9 +74,7 @@ Point3 HeadingFinder::Inwards(const HalfArc& half) const
     axis = this->Geometry.Crossings.Family[half.Arc] == 0 ? FirstAxis(edge.Direction)
                                                           : SecondAxis(edge.Direction);
   }
-  Point3 inwards{ 0.0, 0.0, 0.0 };
-  inwards[axis] = half.Above ? 1.0 : -1.0;
-  return inwards;
+  return (half.Above ? 1.0 : -1.0) * this->Geometry.Grid.Metric.Normal(axis);
 }
 
 /// The angle of the surface's normal at a node against the slice, towards the cell. It is not known
@@ -89,7 +89,9 @@ double HeadingFinder::TiltAt(
     return 0.0;
   }
   const double* n = this->NodeNormals.data() + 3 * static_cast<std::size_t>(node);
-  const Point3 normal{ n[0], n[1], n[2] };
+  const AxisFrame& metric = this->Geometry.Grid.Metric;
+  const Point3 own{ n[0], n[1], n[2] };
+  const Point3 normal = metric.IsWorld() ? own : metric.NormalToWorld(own);
   known = Dot(normal, normal) > 0.0;
   return known ? std::atan2(Dot(normal, inwards), std::max(0.0, Dot(normal, Cross(along, inwards))))
                : 0.0;

@@ -21,9 +21,9 @@ void CycleDescriber::AddNormals(CycleShape& shape) const
   };
   if (shape.Loop)
   {
-    Point3 up{ 0.0, 0.0, 0.0 };
-    up[this->Geometry.Graph.Loops[this->Geometry.LoopOf(shape.Cycle)].Axis] =
-      this->Geometry.FirstArc(shape.Cycle).Above ? 1.0 : -1.0;
+    const int axis = this->Geometry.Graph.Loops[this->Geometry.LoopOf(shape.Cycle)].Axis;
+    const double sign = this->Geometry.FirstArc(shape.Cycle).Above ? 1.0 : -1.0;
+    const Point3 up = sign * this->Geometry.Grid.Metric.Normal(axis);
     for (std::size_t i = 0; i < shape.Border.size(); ++i)
     {
       const Point3 along = shape.Border[(i + 1) % shape.Border.size()] - shape.Border[i];
@@ -39,7 +39,9 @@ void CycleDescriber::AddNormals(CycleShape& shape) const
     const Point3 normal{ n[0], n[1], n[2] };
     if (Dot(normal, normal) > 0.0)
     {
-      add(normal, 1.0);
+      add(this->Geometry.Grid.Metric.IsWorld() ? normal
+                                               : this->Geometry.Grid.Metric.NormalToWorld(normal),
+        1.0);
     }
   }
   for (double& weight : shape.Weights)
@@ -77,7 +79,7 @@ CycleShape CycleDescriber::Describe(Index cycle)
   this->Geometry.GetBoundary(cycle, this->Points, this->NodePlaces);
   for (const Index point : this->Points)
   {
-    shape.Border.push_back(this->Geometry.Graph.PointAt(point));
+    shape.Border.push_back(this->InWorld(this->Geometry.Graph.PointAt(point)));
   }
   const Point3& origin = shape.Border.front();
   CurveCenter center(origin);
@@ -103,7 +105,7 @@ CycleShape CycleDescriber::Describe(Index cycle)
   }
   shape.Radius = length > 0.0 ? std::sqrt(square / length) : 0.0;
   const double* apex = this->CentralPoints.data() + 3 * static_cast<std::size_t>(cycle);
-  shape.Apex = shape.Loop ? shape.Center : Point3{ apex[0], apex[1], apex[2] };
+  shape.Apex = shape.Loop ? shape.Center : this->InWorld({ apex[0], apex[1], apex[2] });
   this->AddNormals(shape);
   // Contours that touch each other's planes without crossing them give no normals: then nothing
   // speaks for a tube.

@@ -21,7 +21,7 @@ struct CycleShape
 {
   Index Cycle;
   bool Loop;
-  std::vector<Point3> Border;
+  std::vector<Point3> Border; ///< this and all others as SpatialGrid::Metric has it in the world
   Point3 Center; ///< of the border, by length
   double Radius; ///< root mean square distance of the border from the center
   Point3 Apex;   ///< of the fan: the central point, for a loop the center
@@ -54,6 +54,11 @@ public:
 private:
   void AddNormals(CycleShape& shape) const;
   void AddHeadings(CycleShape& shape) const;
+  Point3 InWorld(const Point3& point) const
+  {
+    const AxisFrame& metric = this->Geometry.Grid.Metric;
+    return metric.IsWorld() ? point : metric.ToWorld(point);
+  }
 
   const CycleGeometry& Geometry;
   const std::vector<double>& NodeNormals;

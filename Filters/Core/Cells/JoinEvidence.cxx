@@ -93,7 +93,8 @@ void PairMeter::FindStep(const std::array<Index, 3>& cell)
   int known = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double width = grid.Count(axis) == 0 ? 0.0 : grid.Width(axis, cell[axis]);
+    const double width =
+      grid.Count(axis) == 0 ? 0.0 : grid.Width(axis, cell[axis]) * Length(grid.Metric.Edge(axis));
     product *= width > 0.0 ? width : 1.0;
     known += width > 0.0 ? 1 : 0;
   }
@@ -144,7 +145,8 @@ bool PairMeter::AreOnOneFace(Index a, Index b) const
 bool PairMeter::IsHole(const CycleShape& loop) const
 {
   const int axis = this->Geometry.Graph.Loops[this->Geometry.LoopOf(loop.Cycle)].Axis;
-  return (loop.Area[axis] > 0.0) != this->Geometry.FirstArc(loop.Cycle).Above;
+  return (Dot(loop.Area, this->Geometry.Grid.Metric.Normal(axis)) > 0.0) !=
+    this->Geometry.FirstArc(loop.Cycle).Above;
 }
 
 bool PairMeter::Measure(const CycleShape& a, const CycleShape& b, PairFeatures& features) const

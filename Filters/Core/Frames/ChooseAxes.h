@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesChooseAxes_h
 #define OrthoSlicesChooseAxes_h
 
-#include "Core/Frames/AxisFrame.h"
+#include "Core/Base/AxisFrame.h"
 #include "Core/Frames/FindFamilies.h"
 
 #include <vector>

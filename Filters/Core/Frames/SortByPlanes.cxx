@@ -18,24 +18,6 @@ constexpr double LeastGivenVolume = 0.05;
 /// Stands for no axis: the polyline is no slice.
 constexpr std::int8_t NoAxis = -1;
 
-/// The diagonal of the box around all finite coordinates.
-double FindDiagonal(const Polylines& lines)
-{
-  Box3 box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (const double x : lines.Along(axis))
-    {
-      if (std::isfinite(x))
-      {
-        box.Add(axis, x);
-      }
-    }
-  }
-  const double diagonal = box.Diagonal();
-  return std::isfinite(diagonal) ? diagonal : 0.0;
-}
-
 /// Whether a polyline stays within the tolerance along an axis.
 bool IsFlat(const Polylines& lines, Index line, int axis, double tolerance)
 {
@@ -283,11 +265,28 @@ void Distribute(const Polylines& lines, AxisOf&& axisOf, SortedSlices& sorted)
 }
 }
 
+double DiagonalOf(const Polylines& lines)
+{
+  Box3 box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double x : lines.Along(axis))
+    {
+      if (std::isfinite(x))
+      {
+        box.Add(axis, x);
+      }
+    }
+  }
+  const double diagonal = box.Diagonal();
+  return std::isfinite(diagonal) ? diagonal : 0.0;
+}
+
 SortedSlices SortByPlanes(const Polylines& lines, const FrameOptions& options)
 {
   SortedSlices sorted;
   sorted.From = lines.From;
-  const double tolerance = options.PlaneTolerance * FindDiagonal(lines);
+  const double tolerance = options.PlaneTolerance * DiagonalOf(lines);
   if (options.Choice != FrameChoice::Given && AreSorted(lines, tolerance))
   {
     Distribute(

@@ -5,7 +5,7 @@
 
 #include "Core/Base/Contours.h"
 #include "Core/Base/Polylines.h"
-#include "Core/Frames/AxisFrame.h"
+#include "Core/Base/AxisFrame.h"
 
 #include <vector>
 
@@ -52,6 +52,9 @@ struct SortedSlices
  * least squares, for all vertices that are off it by no more than noise.
  */
 SortedSlices SortByPlanes(const Polylines& lines, const FrameOptions& options);
+
+/// The diagonal of the box around all finite coordinates; 0 if there are none.
+double DiagonalOf(const Polylines& lines);
 
 /// The axes for given normals of three families, of any length; the third one is reversed if they are
 /// left-handed. False if they are nearly in one plane.

@@ -44,7 +44,12 @@ private:
   void Read(Index contour);
   bool FindBridges();
   std::vector<Index> FindLongSides() const;
-  const Point2& At(Index vertex) const { return this->Polygon[vertex % this->Polygon.size()]; }
+  /// The vertex after the last one is the first.
+  const Point2& At(Index vertex) const
+  {
+    const std::size_t i = static_cast<std::size_t>(vertex);
+    return this->Polygon[i < this->Polygon.size() ? i : 0];
+  }
   bool IsBridge(Index s, Index t, double width) const;
   bool HasHoleBehind(Index s, Index t, double width) const;
   void WeldSides(Index s, Index t);
@@ -84,11 +89,16 @@ std::vector<Index> BridgeWelder::FindLongSides() const
 bool BridgeWelder::IsBridge(Index s, Index t, double width) const
 {
   const Point2 &a = this->At(s), &b = this->At(s + 1), &c = this->At(t), &d = this->At(t + 1);
+  // Most pairs run the same way or are far apart.
+  if (Dot(b - a, d - c) >= 0.0 || c[1] < std::min(a[1], b[1]) - 2.0 * width ||
+    c[1] > std::max(a[1], b[1]) + 2.0 * width)
+  {
+    return false;
+  }
   const double distance =
     std::max(Distance(c, NearestOn(a, b, c)), Distance(d, NearestOn(a, b, d)));
-  return Dot(b - a, d - c) < 0.0 && distance > 0.0 && distance <= width &&
-    this->Lengths[t] >= LeastLength * distance && SideOf(a, b, Between(c, d, 0.5)) < 0 &&
-    this->HasHoleBehind(s, t, distance);
+  return distance > 0.0 && distance <= width && this->Lengths[t] >= LeastLength * distance &&
+    SideOf(a, b, Between(c, d, 0.5)) < 0 && this->HasHoleBehind(s, t, distance);
 }
 
 /// Whether what is between the ends of two sides on one way around is a hole, and on the other way
@@ -155,14 +165,23 @@ void BridgeWelder::Read(Index contour)
 bool BridgeWelder::FindBridges()
 {
   const double width = this->Share * 2.0 * std::abs(this->Area) / this->Length;
-  const std::vector<Index> sides = this->FindLongSides();
+  std::vector<Index> sides = this->FindLongSides();
+  const auto low = [this](Index side)
+  { return std::min(this->At(side)[0], this->At(side + 1)[0]); };
+  const auto high = [this](Index side)
+  { return std::max(this->At(side)[0], this->At(side + 1)[0]); };
+  std::sort(sides.begin(), sides.end(),
+    [&](Index a, Index b) { return std::make_pair(low(a), a) < std::make_pair(low(b), b); });
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
-    for (std::size_t j = 0; j < i; ++j)
+    // What begins farther along u is too far away.
+    const double end = high(sides[i]) + 2.0 * width;
+    for (std::size_t j = i + 1; j < sides.size() && low(sides[j]) <= end; ++j)
     {
-      const bool isLonger = this->Lengths[sides[i]] >= this->Lengths[sides[j]];
-      const Index s = isLonger ? sides[i] : sides[j];
-      const Index t = isLonger ? sides[j] : sides[i];
+      const Index later = std::max(sides[i], sides[j]), earlier = std::min(sides[i], sides[j]);
+      const bool isLonger = this->Lengths[later] >= this->Lengths[earlier];
+      const Index s = isLonger ? later : earlier;
+      const Index t = isLonger ? earlier : later;
       if (this->IsBridge(s, t, width))
       {
         this->Inserted.resize(this->Polygon.size());

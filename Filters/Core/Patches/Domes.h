@@ -15,7 +15,7 @@ enum class EndCaps
 {
   Dome,     ///< in a dome, or flat beyond the last slice where the sections say so (FlattenEnds)
   Flat,     ///< flat, at its last slice (FlattenLids)
-  HalfSlice ///< beyond the last slice with walls, then flat, half a slice farther (CopyEndSlices)
+  HalfSlice ///< with walls, then flat, half a slice farther (CopyEndSlices, RaiseEnds)
 };
 
 /**

@@ -4,6 +4,7 @@
 
 #include "Core/Base/Vectors.h"
 #include "Core/Crossings/NodeNormals.h"
+#include "Core/Patches/SliceMetric.h"
 #include "Core/Patches/TiltAlongContour.h"
 
 #include <algorithm>
@@ -13,7 +14,8 @@ namespace orthoslices
 {
 namespace
 {
-/// A contour that is cut into arcs: its points in G, in order from a crossing.
+/// A contour that is cut into arcs, in true coordinates (SliceMetric): its points in G, in order from a
+/// crossing.
 struct ArcRing
 {
   ContourRing Contour;
@@ -35,6 +37,8 @@ public:
     , ArcTangents(geometry.Graph.Count())
     , CrossingTangents(geometry.Crossings.Count())
     , NodeNormals(geometry.Nodes.Count())
+    , Metrics{ SliceMetric(geometry.Grid.Metric, 0), SliceMetric(geometry.Grid.Metric, 1),
+      SliceMetric(geometry.Grid.Metric, 2) }
   {
     this->Result.Normals.assign(3 * static_cast<std::size_t>(geometry.Graph.Count()), 0.0f);
     this->Result.Corners.assign(geometry.Graph.Count(), 0);
@@ -53,6 +57,7 @@ private:
   void LookUp(ArcRing& ring) const;
   Point3 NodeNormal(Index node) const;
   Point3 TangentInSpace(Index crossing, int axis) const;
+  std::array<float, 3> TrueNormal(Index node, int axis) const;
   void WriteNormals(const ArcRing& ring);
   void WriteLoop(Index loop, double tilt);
 
@@ -62,6 +67,7 @@ private:
   std::vector<Tangent> ArcTangents;
   std::vector<Tangent> CrossingTangents;
   std::vector<std::array<float, 3>> NodeNormals; ///< as long as the sine of the contours' angle
+  std::array<SliceMetric, 3> Metrics;            ///< of the slices across each axis
   SurfaceNormals Result;
 };
 
@@ -107,7 +113,7 @@ void NormalEstimator::SetRing(Index start, ArcRing& ring) const
   const GridCrossings& crossings = this->Geometry.Crossings;
   ContourRing& contour = ring.Contour;
   contour.Axis = this->AxisOf(start);
-  const int u = FirstAxis(contour.Axis), v = SecondAxis(contour.Axis);
+  const SliceMetric& metric = this->Metrics[contour.Axis];
   contour.Spacing = MeanSpacingInSlices(this->Geometry.Grid, contour.Axis);
   ring.Points.clear();
   ring.Crossing.clear();
@@ -125,11 +131,7 @@ void NormalEstimator::SetRing(Index start, ArcRing& ring) const
   } while (c != start);
   std::vector<Point2> points(ring.Points.size());
   std::transform(ring.Points.begin(), ring.Points.end(), points.begin(),
-    [&](Index point) -> Point2
-    {
-      const Point3 p = graph.PointAt(point);
-      return { p[u], p[v] };
-    });
+    [&](Index point) -> Point2 { return metric.ToTrue(graph.PointAt(point)); });
   contour.Measured.Set(std::move(points), contour.Spacing, this->CornerAngle);
 }
 
@@ -163,18 +165,25 @@ void NormalEstimator::LookUp(ArcRing& ring) const
     const bool isNode = crossing != GridCrossings::None;
     ring.Contour.Tangents[i] =
       isNode ? this->CrossingTangents[crossing] : this->ArcTangents[ring.Points[i]];
-    ring.Contour.KnownNormals[i] =
-      isNode ? this->NodeNormals[ring.Points[i]] : std::array<float, 3>{ 0.0f, 0.0f, 0.0f };
+    ring.Contour.KnownNormals[i] = isNode ? this->TrueNormal(ring.Points[i], ring.Contour.Axis)
+                                          : std::array<float, 3>{ 0.0f, 0.0f, 0.0f };
   }
 }
 
 /// The fitted tangent of a crossing's contour, in a slice across `axis`.
 Point3 NormalEstimator::TangentInSpace(Index crossing, int axis) const
 {
-  Point3 tangent{ 0.0, 0.0, 0.0 };
-  tangent[FirstAxis(axis)] = this->CrossingTangents[crossing][0];
-  tangent[SecondAxis(axis)] = this->CrossingTangents[crossing][1];
-  return tangent;
+  const Tangent& tangent = this->CrossingTangents[crossing];
+  return this->Metrics[axis].ToAxes(tangent[0], tangent[1]);
+}
+
+/// The normal at a node point in true coordinates of the slices across an axis.
+std::array<float, 3> NormalEstimator::TrueNormal(Index node, int axis) const
+{
+  const std::array<float, 3>& normal = this->NodeNormals[node];
+  const Point3 known = this->Metrics[axis].NormalToTrue({ normal[0], normal[1], normal[2] });
+  return { static_cast<float>(known[0]), static_cast<float>(known[1]),
+    static_cast<float>(known[2]) };
 }
 
 /// From the tangents of both contours; zero where they contradict each other or one has a corner.
@@ -187,8 +196,11 @@ Point3 NormalEstimator::NodeNormal(Index node) const
   const Index first = this->Geometry.Nodes.First[node];
   const Index second = this->Geometry.Nodes.Second[node];
   const int t = this->Code.Decode(this->Geometry.Crossings.Edge[first]).Direction;
-  return OutwardNormal(this->TangentInSpace(first, FirstAxis(t)), FirstAxis(t),
+  const Point3 normal = OutwardNormal(this->TangentInSpace(first, FirstAxis(t)), FirstAxis(t),
     this->TangentInSpace(second, SecondAxis(t)), SecondAxis(t));
+  const AxisFrame& metric = this->Geometry.Grid.Metric;
+  // In the world, it is as long as the sine of the angle between the tangents.
+  return metric.IsWorld() ? normal : metric.Volume() * normal;
 }
 
 /// Writes the normals of a contour, or adds them at node points, which two contours have in common.
@@ -196,6 +208,7 @@ void NormalEstimator::WriteNormals(const ArcRing& ring)
 {
   const ContourRing& contour = ring.Contour;
   const int u = FirstAxis(contour.Axis), v = SecondAxis(contour.Axis);
+  const SliceMetric& metric = this->Metrics[contour.Axis];
   TiltAlongContour tiltAlong(contour);
   for (Index i = 0; i < contour.Measured.Curve.Count(); ++i)
   {
@@ -205,6 +218,7 @@ void NormalEstimator::WriteNormals(const ArcRing& ring)
     normal[u] = std::cos(tilt) * tangent[1];
     normal[v] = -std::cos(tilt) * tangent[0];
     normal[contour.Axis] = std::sin(tilt);
+    normal = metric.NormalToAxes(normal);
     float* out = this->Result.Normals.data() + 3 * static_cast<std::size_t>(ring.Points[i]);
     if (ring.Crossing[i] == GridCrossings::None)
     {
@@ -213,10 +227,11 @@ void NormalEstimator::WriteNormals(const ArcRing& ring)
     }
     const Point3 own = contour.KnownNormal(i);
     const bool known = Dot(own, own) >= MinSine * MinSine;
+    const Point3 given = metric.NormalToAxes(own);
     const double share = tiltAlong.IsKnown() ? 1.0 : WeightOfUnknownTilt;
     for (int k = 0; k < 3; ++k)
     {
-      out[k] = static_cast<float>(known ? own[k] : out[k] + share * normal[k]);
+      out[k] = static_cast<float>(known ? given[k] : out[k] + share * normal[k]);
     }
   }
 }
@@ -226,13 +241,18 @@ void NormalEstimator::WriteLoop(Index loop, double tilt)
 {
   const NodeGraph& graph = this->Geometry.Graph;
   const int axis = graph.Loops[loop].Axis;
+  const SliceMetric& metric = this->Metrics[axis];
   const Index first = graph.FirstPoint(graph.Arcs + loop), n = graph.PointCount(graph.Arcs + loop);
   for (Index i = 0; i < n; ++i)
   {
-    const Point3 along =
-      graph.PointAt(first + (i + 1) % n) - graph.PointAt(first + (i + n - 1) % n);
+    const Point2 before = metric.ToTrue(graph.PointAt(first + (i + n - 1) % n));
+    const Point2 after = metric.ToTrue(graph.PointAt(first + (i + 1) % n));
+    Point3 along{ 0.0, 0.0, 0.0 };
+    along[FirstAxis(axis)] = after[0] - before[0];
+    along[SecondAxis(axis)] = after[1] - before[1];
     Point3 normal = std::sqrt(1.0 - tilt * tilt) * Unit(RightOf(along, axis));
     normal[axis] = tilt;
+    normal = metric.NormalToAxes(normal);
     std::copy(normal.begin(), normal.end(),
       this->Result.Normals.begin() + 3 * static_cast<std::size_t>(first + i));
   }

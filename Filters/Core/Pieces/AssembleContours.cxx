@@ -120,8 +120,8 @@ PieceProblems AssembleContours(
   {
     std::array<ImageBorder, 3> borders = FindReach(contours, curves);
     const Box3 reach = BoxOf(contours, curves);
-    const MendedCurves mended =
-      MendCurves(std::move(curves), settings.Tolerance, settings.AtBorder, borders);
+    const MendedCurves mended = MendCurves(
+      std::move(curves), settings.Tolerance, settings.AtBorder, settings.GivenBorder, borders);
     problems.Mended.insert(problems.Mended.end(), mended.Problems.begin(), mended.Problems.end());
     problems.Unusable.insert(problems.Unusable.end(), mended.Refused.begin(), mended.Refused.end());
     AppendLoops(mended.Loops, settings.Tolerance, contours, problems);

@@ -19,6 +19,7 @@ struct AssembleSettings
   /// With Mend, how far the vertices of a single slice may be off their plane, in world units.
   double AloneTolerance = 0.0;
   BorderContours AtBorder = BorderContours::CloseAlong; ///< with Mend
+  Box3 GivenBorder; ///< see GiveBorders; where it is empty, the border is found
 };
 
 /// What was found to be wrong with the pieces.

@@ -127,4 +127,26 @@ void FindBorders(const std::vector<OpenCurve>& curves, std::array<ImageBorder, 3
     SideFinder(axis, ends, borders[axis]).Run();
   }
 }
+
+void GiveBorders(const Box3& given, std::array<ImageBorder, 3>& borders)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const int direction : { 0, 1 })
+    {
+      const int across = direction == 0 ? FirstAxis(axis) : SecondAxis(axis);
+      const std::array<double, 2> sides{ given.Low[across], given.High[across] };
+      for (const int which : { 0, 1 })
+      {
+        if (sides[0] < sides[1])
+        {
+          const bool isThere = std::isfinite(sides[which]);
+          double& side = borders[axis].Side[direction][which];
+          side = isThere ? sides[which] : side;
+          borders[axis].IsFound[direction][which] = isThere;
+        }
+      }
+    }
+  }
+}
 }

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesFindBorders_h
 #define OrthoSlicesFindBorders_h
 
+#include "Core/Base/Box.h"
 #include "Core/Pieces/ImageBorder.h"
 
 namespace orthoslices
@@ -15,6 +16,10 @@ namespace orthoslices
  * `borders` has, for each axis, what all contours of that axis reach; the curves are those of all axes.
  */
 void FindBorders(const std::vector<OpenCurve>& curves, std::array<ImageBorder, 3>& borders);
+
+/// Sets the sides that are given, instead of those that were found: both of each axis along which the box
+/// is not empty, but for infinite ones. At a given side one end is enough.
+void GiveBorders(const Box3& given, std::array<ImageBorder, 3>& borders);
 }
 
 #endif

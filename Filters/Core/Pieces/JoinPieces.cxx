@@ -35,7 +35,12 @@ private:
   bool Same(Index a, Index b) const;
   std::uint64_t Hash(Index vertex) const;
 
-  bool IsLoose(Index piece) const { return !this->Input.Closed[piece] && this->IsFree[piece]; }
+  /// Whether a piece has ends to be joined. One of a single point has no direction, and joins nothing.
+  bool IsLoose(Index piece) const
+  {
+    return !this->Input.Closed[piece] && this->IsFree[piece] &&
+      this->First(piece) < this->Last(piece);
+  }
   void JoinCoincidentEnds();
   void JoinGroup(std::vector<End>& ends);
   void DropDuplicateSegments(std::vector<End>& ends);

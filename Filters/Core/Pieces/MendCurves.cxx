@@ -161,13 +161,14 @@ void SliceMender::Run(std::vector<OpenCurve>&& curves)
 }
 
 MendedCurves MendCurves(std::vector<OpenCurve>&& curves, double tolerance, BorderContours atBorder,
-  std::array<ImageBorder, 3>& borders)
+  const Box3& givenBorder, std::array<ImageBorder, 3>& borders)
 {
   MendedCurves result;
   std::stable_sort(curves.begin(), curves.end(),
     [](const OpenCurve& a, const OpenCurve& b)
     { return std::make_pair(a.Axis, a.Plane) < std::make_pair(b.Axis, b.Plane); });
   FindBorders(curves, borders);
+  GiveBorders(givenBorder, borders);
   const double beyond = atBorder == BorderContours::LeaveOpen ? FindSpacing(curves, borders) : 0.0;
   for (ImageBorder& border : borders)
   {

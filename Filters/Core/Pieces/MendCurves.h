@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesMendCurves_h
 #define OrthoSlicesMendCurves_h
 
+#include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 #include "Core/Pieces/ImageBorder.h"
 
@@ -26,10 +27,11 @@ struct MendedCurves
  *  - the gaps that are left are closed, also between ends on the border.
  * What is still open is left out. Planes nearer to each other than `tolerance` are one.
  *
- * `borders` has what the contours of each axis reach; see FindBorders.
+ * `borders` has what the contours of each axis reach; see FindBorders, and GiveBorders for
+ * `givenBorder`.
  */
 MendedCurves MendCurves(std::vector<OpenCurve>&& curves, double tolerance, BorderContours atBorder,
-  std::array<ImageBorder, 3>& borders);
+  const Box3& givenBorder, std::array<ImageBorder, 3>& borders);
 }
 
 #endif

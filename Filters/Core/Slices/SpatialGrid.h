@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesSpatialGrid_h
 #define OrthoSlicesSpatialGrid_h
 
+#include "Core/Base/AxisFrame.h"
 #include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 
@@ -39,6 +40,9 @@ struct SpatialGrid
   /// If it is not 0, all coordinates of the result, planes included, are multiples of this power of 2:
   /// for results that will be mapped, so that distinct points stay distinct.
   double Quantum = 0.0;
+  /// What lengths and angles are: those of the world as this frame maps it. That of the world itself if
+  /// the families are at right angles to each other, whose frame changes neither.
+  AxisFrame Metric;
   /// Whether contours cross the planes at the same places, to the last bit, if they run the other
   /// way, as those of a structure on the other side of a common border do.
   bool BothWays = false;

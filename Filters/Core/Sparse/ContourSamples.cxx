@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Sparse/ContourSamples.h"
 
-#include "Core/Base/Vectors.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -16,40 +14,37 @@ constexpr std::size_t FewestSamples = 6;
 /// Of samples closer than that share of their distance on the contours, as where slices cross, one
 /// is left out.
 constexpr double Apart = 0.2;
-/// The system of that many takes a second or two.
+/// The system of that many takes a second or two,
 constexpr double MostSamples = 1600.0;
-/// And that of so many, a few hundredths.
+/// and that of so many, a few hundredths.
 constexpr double FewSamples = 600.0;
 
-double LengthOf(const Contours& contours, Index contour)
+double LengthOf(const WorldLoop& loop)
 {
   double length = 0.0;
-  const Index first = contours.Offsets[contour], last = contours.Offsets[contour + 1];
-  for (Index i = first; i < last; ++i)
+  for (std::size_t i = 0; i < loop.Points.size(); ++i)
   {
-    const Index next = i + 1 < last ? i + 1 : first;
-    length += std::hypot(contours.U[next] - contours.U[i], contours.V[next] - contours.V[i]);
+    length += Length(loop.Points[(i + 1) % loop.Points.size()] - loop.Points[i]);
   }
   return length;
 }
 
 /// Where a contour is, at even lengths along it.
-std::vector<Point2> PlacesOn(const Contours& contours, Index contour, std::size_t count)
+std::vector<Point3> PlacesOn(const WorldLoop& loop, std::size_t count)
 {
-  std::vector<Point2> places;
-  const double step = LengthOf(contours, contour) / static_cast<double>(count);
-  const Index first = contours.Offsets[contour], last = contours.Offsets[contour + 1];
+  std::vector<Point3> places;
+  const double step = LengthOf(loop) / static_cast<double>(count);
   double done = 0.0;
-  for (Index i = first; i < last; ++i)
+  for (std::size_t i = 0; i < loop.Points.size(); ++i)
   {
-    const Index next = i + 1 < last ? i + 1 : first;
-    const double du = contours.U[next] - contours.U[i], dv = contours.V[next] - contours.V[i];
-    const double length = std::hypot(du, dv);
-    while (places.size() < count && step * static_cast<double>(places.size()) <= done + length)
+    const Point3& from = loop.Points[i];
+    const Point3 side = loop.Points[(i + 1) % loop.Points.size()] - from;
+    const double length = Length(side);
+    const auto next = [&] { return step * static_cast<double>(places.size()); };
+    while (places.size() < count && next() <= done + length)
     {
-      const double t =
-        length > 0.0 ? (step * static_cast<double>(places.size()) - done) / length : 0.0;
-      places.push_back({ contours.U[i] + t * du, contours.V[i] + t * dv });
+      const double share = length > 0.0 ? (next() - done) / length : 0.0;
+      places.push_back(from + share * side);
     }
     done += length;
   }
@@ -57,51 +52,69 @@ std::vector<Point2> PlacesOn(const Contours& contours, Index contour, std::size_
 }
 
 /// At every second place of a contour: the normal is that of the line through the places beside it.
-void AddSamples(
-  const Contours& contours, Index contour, std::size_t count, std::vector<ContourSample>& samples)
+void AddSamples(const WorldLoop& loop, std::size_t count, std::vector<ContourSample>& samples)
 {
-  const std::vector<Point2> places = PlacesOn(contours, contour, 2 * count);
-  const int axis = contours.Axis[contour];
+  const std::vector<Point3> places = PlacesOn(loop, 2 * count);
   const std::size_t n = places.size();
   for (std::size_t i = 0; i + 1 < n; i += 2)
   {
-    const Point2& before = places[(i + n - 1) % n];
-    const Point2& after = places[i + 1];
-    const double du = after[0] - before[0], dv = after[1] - before[1];
-    const double length = std::hypot(du, dv);
+    const Point3 inwards = Cross(loop.Normal, places[i + 1] - places[(i + n - 1) % n]);
+    const double length = Length(inwards);
     if (length > 0.0)
     {
-      ContourSample sample;
-      sample.Position[axis] = contours.Coordinate[contour];
-      sample.Position[FirstAxis(axis)] = places[i][0];
-      sample.Position[SecondAxis(axis)] = places[i][1];
-      sample.Inwards[axis] = 0.0;
-      sample.Inwards[FirstAxis(axis)] = -dv / length;
-      sample.Inwards[SecondAxis(axis)] = du / length;
-      samples.push_back(sample);
+      samples.push_back({ places[i], (1.0 / length) * inwards });
+    }
+  }
+}
+}
+
+std::vector<WorldLoop> MapToWorld(const Contours& contours, const AxisFrame& metric)
+{
+  std::vector<WorldLoop> loops(contours.Count());
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    loops[contour].Normal = metric.Normal(contours.Axis[contour]);
+    for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
+    {
+      loops[contour].Points.push_back(metric.ToWorld(contours.World(contour, i)));
+    }
+  }
+  return loops;
+}
+
+void AppendGuides(
+  const std::vector<GuideContours>& guides, const AxisFrame& metric, std::vector<WorldLoop>& loops)
+{
+  for (const GuideContours& guide : guides)
+  {
+    for (const std::vector<Point3>& points : guide.Loops)
+    {
+      loops.push_back({ {}, metric.NormalToWorld(guide.Plane.Normal) });
+      for (const Point3& point : points)
+      {
+        loops.back().Points.push_back(metric.ToWorld(point));
+      }
     }
   }
 }
 
-}
-
-double SampleStep(const Contours& contours, double wanted)
+double SampleStep(const std::vector<WorldLoop>& loops, double wanted)
 {
   double length = 0.0;
-  for (Index i = 0; i < contours.Count(); ++i)
+  for (const WorldLoop& loop : loops)
   {
-    length += LengthOf(contours, i);
+    length += LengthOf(loop);
   }
   return std::clamp(wanted, length / MostSamples, length / FewSamples);
 }
 
-std::vector<ContourSample> SampleContours(const Contours& contours, double step)
+std::vector<ContourSample> SampleLoops(const std::vector<WorldLoop>& loops, double step)
 {
   std::vector<ContourSample> all, samples;
-  for (Index i = 0; i < contours.Count(); ++i)
+  for (const WorldLoop& loop : loops)
   {
-    const double count = std::round(LengthOf(contours, i) / step);
-    AddSamples(contours, i, std::max(FewestSamples, static_cast<std::size_t>(count)), all);
+    const double count = std::round(LengthOf(loop) / step);
+    AddSamples(loop, std::max(FewestSamples, static_cast<std::size_t>(count)), all);
   }
   for (const ContourSample& sample : all)
   {

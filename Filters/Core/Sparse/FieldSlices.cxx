@@ -22,6 +22,7 @@ struct Lattice
 {
   std::array<std::vector<double>, 3> Coordinates;
   Box3 Inside; ///< nothing is inside beyond it
+  AxisFrame Metric;
   std::vector<double> Values;
 
   std::size_t Count(int axis) const { return this->Coordinates[axis].size(); }
@@ -36,9 +37,11 @@ struct Lattice
   }
 };
 
-double ValueWithin(const SliceField& field, const Box3& box, const Point3& p)
+/// Distances from the planes of the box are those in the world: see AxisFrame.
+double ValueWithin(const SliceField& field, const Lattice& lattice, const Point3& p)
 {
-  double value = field.Value(p);
+  const Box3& box = lattice.Inside;
+  double value = field.Value(lattice.Metric.ToWorld(p));
   for (int axis = 0; axis < 3; ++axis)
   {
     value = std::min({ value, p[axis] - box.Low[axis], box.High[axis] - p[axis] });
@@ -78,7 +81,7 @@ bool IsFar(const Lattice& lattice, const Block& block, double& value, const Slic
   const Point3 low = lattice.Place({ block[0][0], block[1][0], block[2][0] });
   const Point3 high = lattice.Place({ block[0][1] - 1, block[1][1] - 1, block[2][1] - 1 });
   const Point3 middle = 0.5 * (low + high);
-  value = ValueWithin(field, lattice.Inside, middle);
+  value = ValueWithin(field, lattice, middle);
   return std::abs(value) > Length(high - low);
 }
 
@@ -94,7 +97,7 @@ void EvaluateBlock(const SliceField& field, const Block& block, Lattice& lattice
       for (at[0] = block[0][0]; at[0] < block[0][1]; ++at[0])
       {
         lattice.Values[lattice.Number(at)] =
-          isFar ? far : ValueWithin(field, lattice.Inside, lattice.Place(at));
+          isFar ? far : ValueWithin(field, lattice, lattice.Place(at));
       }
     }
   }
@@ -205,7 +208,7 @@ void LayerContours::March(std::size_t u, std::size_t v)
   {
     const Point3 middle =
       0.5 * (this->Table.Place(this->At(u, v)) + this->Table.Place(this->At(u + 1, v + 1)));
-    const bool isJoined = ValueWithin(this->Field, this->Table.Inside, middle) > 0.0;
+    const bool isJoined = ValueWithin(this->Field, this->Table, middle) > 0.0;
     for (const int k : leaving)
     {
       this->Next[edges[k]] = edges[isJoined ? (k + 1) % 4 : (k + 3) % 4];
@@ -228,7 +231,7 @@ Point2 LayerContours::Cross(std::int64_t edge) const
   {
     t = (a * atB - b * atA) / (atB - atA);
     place[along] = low[along] + t * (high[along] - low[along]);
-    const double value = ValueWithin(this->Field, this->Table.Inside, place);
+    const double value = ValueWithin(this->Field, this->Table, place);
     if (std::abs(value) < Margin * (high[along] - low[along]))
     {
       break;
@@ -305,6 +308,7 @@ Contours CutField(const SliceField& field, const SpatialGrid& grid, const SliceD
 {
   Lattice lattice;
   lattice.Inside = RangeOf(grid);
+  lattice.Metric = grid.Metric;
   const VirtualPlanes planes = ChooseVirtualPlanes(grid, lattice.Inside, density);
   for (int axis = 0; axis < 3; ++axis)
   {

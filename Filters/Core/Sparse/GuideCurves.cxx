@@ -18,6 +18,14 @@ struct Station
   Index Slab;  ///< behind it
 };
 
+/// A point of a piece that is not at its ends.
+Point3 MiddleOf(const GuidePiece& piece)
+{
+  const std::size_t half = piece.Points.size() / 2;
+  return piece.Points.size() > 2 ? piece.Points[half]
+                                 : Between(piece.Points.front(), piece.Points.back(), 0.5);
+}
+
 /// Cuts one contour after another by the planes of a stack and by others.
 class ContourCutter
 {
@@ -26,6 +34,19 @@ public:
     : Curves(curves)
     , Tolerance(FlatShare * curves.Spacing())
   {
+    for (const int axis : { 0, 1, 2 })
+    {
+      for (const double plane : curves.Planes[axis])
+      {
+        this->Others.emplace_back();
+        this->Others.back().Normal[axis] = 1.0;
+        this->Others.back().Offset = plane;
+      }
+    }
+    for (const GuideSlice& slice : curves.Slices)
+    {
+      this->Others.push_back(slice.Plane);
+    }
   }
 
   void Run(const std::vector<Point3>& contour, std::vector<GuidePiece>& pieces);
@@ -37,6 +58,7 @@ private:
 
   const GuideCurves& Curves;
   const double Tolerance;
+  std::vector<GuidePlane> Others; ///< that cut, beside those of the stack
   std::vector<Station> Stations;
 };
 
@@ -62,7 +84,7 @@ Index ContourCutter::SlabOf(const Point3& point) const
 /// Appends the start of a side and where it is cut.
 void ContourCutter::CutSide(const Point3& from, const Point3& to)
 {
-  const int axis = this->Curves.StackAxis;
+  const int axis = std::max(this->Curves.StackAxis, 0); // without a stack there are no planes of it
   const Index slab = this->SlabOf(from), end = this->SlabOf(to);
   this->Stations.push_back({ from, false, -1, slab });
   std::vector<std::pair<double, Index>> cuts; // share of the side, and the plane of the stack or -1
@@ -73,9 +95,9 @@ void ContourCutter::CutSide(const Point3& from, const Point3& to)
     const double share = (this->Curves.StackPlanes[plane] - from[axis]) / rise;
     cuts.emplace_back(std::clamp(share, 0.0, 1.0), plane);
   }
-  for (const GuideSlice& slice : this->Curves.Slices)
+  for (const GuidePlane& other : this->Others)
   {
-    const double a = slice.Plane.HeightOf(from), b = slice.Plane.HeightOf(to);
+    const double a = other.HeightOf(from), b = other.HeightOf(to);
     if ((a < 0.0) != (b < 0.0))
     {
       cuts.emplace_back(a / (a - b), -1);
@@ -120,6 +142,7 @@ void ContourCutter::Run(const std::vector<Point3>& contour, std::vector<GuidePie
       piece.Planes[1] = at.Plane;
       if (piece.Points.size() > 1)
       {
+        piece.Slab = this->Curves.StackAxis < 0 ? this->Curves.SlabAt(MiddleOf(piece)) : piece.Slab;
         pieces.push_back(std::move(piece));
       }
       piece = { { at.Place }, at.Slab, { at.Plane, -1 } };
@@ -136,9 +159,31 @@ double GuideCurves::Spacing() const
     : 1.0;
 }
 
+Index GuideCurves::SlabAt(const Point3& point) const
+{
+  const auto countBelow = [](const std::vector<double>& planes, double coordinate)
+  {
+    return static_cast<Index>(
+      std::upper_bound(planes.begin(), planes.end(), coordinate) - planes.begin());
+  };
+  if (this->StackAxis >= 0)
+  {
+    return countBelow(this->StackPlanes, point[this->StackAxis]);
+  }
+  Index slab = 0;
+  for (const int axis : { 0, 1, 2 })
+  {
+    slab = slab * (static_cast<Index>(this->Planes[axis].size()) + 1) +
+      countBelow(this->Planes[axis], point[axis]);
+  }
+  return slab;
+}
+
 GuideCurves CutGuides(const Contours& contours, const SpatialGrid& grid, int stackAxis)
 {
-  GuideCurves curves{ stackAxis, grid.Planes[stackAxis], {} };
+  GuideCurves curves;
+  curves.StackAxis = stackAxis;
+  curves.StackPlanes = grid.Planes[stackAxis];
   for (const int axis : { FirstAxis(stackAxis), SecondAxis(stackAxis) })
   {
     for (const double plane : grid.Planes[axis])
@@ -162,5 +207,20 @@ GuideCurves CutGuides(const Contours& contours, const SpatialGrid& grid, int sta
     }
   }
   return curves;
+}
+
+void AddGuides(const std::vector<GuideContours>& others, GuideCurves& curves)
+{
+  for (const GuideContours& contours : others)
+  {
+    GuideSlice slice;
+    slice.Plane = contours.Plane;
+    ContourCutter cutter(curves);
+    for (const std::vector<Point3>& loop : contours.Loops)
+    {
+      cutter.Run(loop, slice.Pieces);
+    }
+    curves.Slices.push_back(std::move(slice));
+  }
 }
 }

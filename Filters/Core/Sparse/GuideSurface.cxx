@@ -22,7 +22,7 @@ constexpr double SharpCosine = 0.70710678118654752;
 struct Chain
 {
   std::vector<Index> Points;
-  double Middle = 0.0; ///< of its cell, along the axis of the stack
+  Index Slab = 0; ///< see GuideCurves::SlabAt
 };
 
 /// Cuts a mesh along one plane, and moves parts of the cut.
@@ -72,16 +72,14 @@ void SurfaceCut::Snap()
       continue;
     }
     const std::array<Index, 2> ends{ corners.StartOf(corner), corners.EndOf(corner) };
-    const double length =
-      std::abs(this->Height[ends[0]]) + std::abs(this->Height[ends[1]]);
+    const double length = std::abs(this->Height[ends[0]]) + std::abs(this->Height[ends[1]]);
     for (const Index end : ends)
     {
       const double share = this->Mesh.Fixed[end] ? RoundShare : SnapShare;
       if (std::abs(this->Height[end]) < share * length)
       {
         Point3& point = this->Mesh.Points[end];
-        point = this->Mesh.Fixed[end] ? point
-                                      : point - this->Height[end] * this->Plane.Normal;
+        point = this->Mesh.Fixed[end] ? point : point - this->Height[end] * this->Plane.Normal;
         this->Height[end] = 0.0;
         break;
       }
@@ -150,8 +148,7 @@ std::vector<Chain> SurfaceCut::ListChains() const
     for (const Index first : out)
     {
       const Box3& cell = this->Mesh.Cells[this->Mesh.Cell[first / 3]];
-      const int axis = this->Guides.StackAxis;
-      Chain chain{ { point }, 0.5 * (cell.Low[axis] + cell.High[axis]) };
+      Chain chain{ { point }, this->Guides.SlabAt(Between(cell.Low, cell.High, 0.5)) };
       Index edge = first;
       while (edge >= 0)
       {
@@ -209,8 +206,8 @@ void SurfaceCut::Refine(Chain& chain, double longest)
     {
       SplitEdge(this->Mesh.Corners.FindEdge(from, to), 0.5, this->Mesh);
       this->Height.push_back(0.0);
-      chain.Points.insert(
-        chain.Points.begin() + static_cast<std::ptrdiff_t>(i) + 1, this->Mesh.Corners.PointCount() - 1);
+      chain.Points.insert(chain.Points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+        this->Mesh.Corners.PointCount() - 1);
     }
     else
     {
@@ -266,7 +263,7 @@ void SurfaceCut::Move(const Chain& given, const std::vector<Point3>& piece, doub
 }
 
 /// The number of the chain for each piece; -1 if it has none.
-std::vector<Index> FindPartners(const GuideCurves& guides, const std::vector<GuidePiece>& pieces,
+std::vector<Index> FindPartners(const std::vector<GuidePiece>& pieces,
   const std::vector<Chain>& chains, const std::vector<Point3>& points, double reach)
 {
   constexpr double none = std::numeric_limits<double>::infinity();
@@ -276,12 +273,9 @@ std::vector<Index> FindPartners(const GuideCurves& guides, const std::vector<Gui
   {
     for (std::size_t j = 0; j < chains.size(); ++j)
     {
-      const auto& planes = guides.StackPlanes;
-      const Index slab = static_cast<Index>(
-        std::upper_bound(planes.begin(), planes.end(), chains[j].Middle) - planes.begin());
       const double distance = Length(pieces[i].Points.front() - points[chains[j].Points.front()]) +
         Length(pieces[i].Points.back() - points[chains[j].Points.back()]);
-      if (slab != pieces[i].Slab || !(distance <= reach))
+      if (chains[j].Slab != pieces[i].Slab || !(distance <= reach))
       {
         continue;
       }
@@ -308,25 +302,25 @@ std::vector<Index> FindPartners(const GuideCurves& guides, const std::vector<Gui
 }
 }
 
-Index GuideSurface(
-  const GuideCurves& guides, double reach, double edgeLength, SurfaceMesh& mesh)
+Index GuideSurface(GuideCurves& guides, double reach, double edgeLength, SurfaceMesh& mesh)
 {
   Index count = 0;
-  for (const GuideSlice& slice : guides.Slices)
+  for (GuideSlice& slice : guides.Slices)
   {
+    slice.Guiding = 0;
     SurfaceCut cut(guides, slice.Plane, mesh);
     cut.Run();
     const std::vector<Chain> chains = cut.ListChains();
-    const std::vector<Index> partners =
-      FindPartners(guides, slice.Pieces, chains, mesh.Points, reach);
+    const std::vector<Index> partners = FindPartners(slice.Pieces, chains, mesh.Points, reach);
     for (std::size_t i = 0; i < partners.size(); ++i)
     {
       if (partners[i] >= 0)
       {
         cut.Move(chains[partners[i]], slice.Pieces[i].Points, edgeLength);
-        ++count;
+        ++slice.Guiding;
       }
     }
+    count += slice.Guiding;
   }
   return count;
 }

@@ -4,6 +4,7 @@
 
 #include "Core/Graph/CycleGeometry.h"
 #include "Core/Patches/CentralPoints.h"
+#include "Core/Slices/EndSlices.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,6 +13,10 @@ namespace orthoslices
 {
 namespace
 {
+/// How far from a rim between two slices a virtual one meets its wall, as a share of their distance: what
+/// is beyond is as thin as that, and rounded.
+constexpr double RoomBelowRim = 0.02;
+
 class EndRaiser
 {
 public:
@@ -41,6 +46,8 @@ private:
   void MoveInner(Index patch, double level);
   double LevelOf(Index patch, Index loop) const;
   bool IsFlat(Index patch) const;
+  bool EndsWithin(Index patch, const std::vector<Index>& loops) const;
+  void EndHalfway(Index patch, const std::vector<Index>& loops, StackEnds& result);
   std::array<double, 2> FindMeanHeights() const;
   void AssumeRim(Index patch, const std::vector<Index>& loops, double height);
 
@@ -267,13 +274,44 @@ void EndRaiser::AssumeRim(Index patch, const std::vector<Index>& loops, double h
   }
 }
 
+/// Whether a patch ends the object between two slices of the stack, on which its loops are not both.
+bool EndRaiser::EndsWithin(Index patch, const std::vector<Index>& loops) const
+{
+  const SpatialGrid& grid = this->Geometry.Grid;
+  const Index slab = this->Geometry.Cycles.Cell[patch][this->Axis];
+  return slab > 0 && slab < grid.Count(this->Axis) && !IsBesideEndSlice(grid, this->Axis, slab) &&
+    !loops.empty() &&
+    std::all_of(loops.begin(), loops.end(),
+      [&](Index loop)
+      { return this->Graph.Loops[loop].Plane == this->Graph.Loops[loops.front()].Plane; });
+}
+
+/// Gives a patch that ends between two slices a rim in the middle between them.
+void EndRaiser::EndHalfway(Index patch, const std::vector<Index>& loops, StackEnds& result)
+{
+  const SpatialGrid& grid = this->Geometry.Grid;
+  const double width = grid.Width(this->Axis, this->Geometry.Cycles.Cell[patch][this->Axis]);
+  for (const Index loop : loops)
+  {
+    LoopEnd& end = this->EndOf(patch, loop);
+    end.Kind = EndKind::Rim;
+    end.Anchors.push_back({ 0.0, 0.0, 0.5 * width });
+    result.HasWall[loop] = 1;
+  }
+  const double up = this->SideOf(patch, loops.front()) == 0 ? -1.0 : 1.0;
+  result.Levels.push_back(grid.Planes[this->Axis][this->Graph.Loops[loops.front()].Plane] +
+    up * (0.5 - RoomBelowRim) * width);
+}
+
 StackEnds EndRaiser::Run(GuideCurves& guides)
 {
   this->NumberLoops();
   this->Ends = FindLoopEnds(this->Graph, guides);
   const std::array<double, 2> heights = this->FindMeanHeights();
   const Index patches = this->Geometry.Cycles.Count();
-  StackEnds result{ std::vector<EndKind>(patches, EndKind::Unknown), {} };
+  StackEnds result;
+  result.OfPatch.assign(patches, EndKind::Unknown);
+  result.HasWall.assign(this->Graph.Loops.size(), 0);
   for (Index patch = 0; patch < patches; ++patch)
   {
     const std::vector<Index> loops = this->ListLoops(patch);
@@ -281,6 +319,10 @@ StackEnds EndRaiser::Run(GuideCurves& guides)
       this->CombineKinds(patch, loops) == EndKind::Unknown && this->IsFlat(patch))
     {
       this->AssumeRim(patch, loops, heights[this->SideOf(patch, loops.front())]);
+    }
+    if (guides.HalfSliceEnds && this->EndsWithin(patch, loops))
+    {
+      this->EndHalfway(patch, loops, result);
     }
     const EndKind kind = this->CombineKinds(patch, loops);
     result.OfPatch[patch] = kind;

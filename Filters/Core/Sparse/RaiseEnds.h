@@ -21,8 +21,11 @@ struct DraftMesh
 /// How a stack ends with its patches and beside its loops.
 struct StackEnds
 {
-  std::vector<EndKind> OfPatch; ///< Unknown, too, for those that go on to another slice
-  std::vector<std::uint8_t> HasRim; ///< of each loop
+  std::vector<EndKind> OfPatch;      ///< Unknown, too, for those that go on to another slice
+  std::vector<std::uint8_t> HasRim;  ///< of each loop
+  std::vector<std::uint8_t> HasWall; ///< of each loop: straight on to a rim half a slab farther
+  std::vector<double>
+    Levels; ///< along the axis of the stack, where slices meet these walls near the rims
 };
 
 /**
@@ -30,6 +33,9 @@ struct StackEnds
  * end flat are moved into the slice, and those with a rim are moved out to it, with a wall of
  * triangles between the slice and the rim. The wall has a patch of its own: the number of patches is
  * added to that of the patch within the rim. Points on rims are appended. Guides are cut at rims.
+ *
+ * With GuideCurves::HalfSliceEnds, all patches that end between two slices have a rim in the middle
+ * between them.
  */
 StackEnds RaiseEnds(
   const CycleGeometry& geometry, const Patches& patches, GuideCurves& guides, DraftMesh& draft);

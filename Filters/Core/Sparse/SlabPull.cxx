@@ -67,12 +67,12 @@ SlabPull PullIntoSlabs(const SurfaceMesh& mesh, double roughness)
     if (corners.IsAlive(corner))
     {
       const Index point = corners.VertexOf(corner);
-      const Point3& p = mesh.Points[point];
-      const Point3 normal =
-        Cross(mesh.Points[corners.StartOf(corner)] - p, mesh.Points[corners.EndOf(corner)] - p);
+      const Point3 normal = Cross(
+        mesh.InWorld(point, corners.StartOf(corner)), mesh.InWorld(point, corners.EndOf(corner)));
       const double length = std::max(Length(normal), 1e-300);
-      pull.Strength[point] += normal[axis] / length * normal[axis] / 6.0;
-      upwards[point] += normal[axis];
+      const double up = Dot(normal, mesh.Metric.Normal(axis));
+      pull.Strength[point] += up / length * up / 6.0;
+      upwards[point] += up;
     }
   }
   const double strength = UsualStrength *

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Sparse/SliceField.h"
 
-#include "Core/Base/EditContours.h"
+#include "Core/Base/Box.h"
 #include "Core/Base/Vectors.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace orthoslices
@@ -204,12 +205,16 @@ void SliceField::Solution::Solve(const Execution& execution)
   }
 }
 
-SliceField::SliceField(const Contours& contours, double step, const Execution& execution)
+SliceField::SliceField(std::vector<ContourSample>&& samples, const Execution& execution)
   : Solved(std::make_unique<Solution>())
 {
   Solution& s = *this->Solved;
-  s.Samples = SampleContours(contours, step);
-  const Box3 box = BoxOf(contours);
+  s.Samples = std::move(samples);
+  Box3 box;
+  for (const ContourSample& sample : s.Samples)
+  {
+    box.Add(sample.Position);
+  }
   const Point3 extent = box.High - box.Low;
   s.Centre = 0.5 * (box.Low + box.High);
   s.Scale = 1.0 / std::max({ extent[0], extent[1], extent[2] });

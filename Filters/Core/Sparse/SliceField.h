@@ -23,15 +23,13 @@ namespace orthoslices
  * of the angle between surface and plane. That is taken from the function itself, which is solved a
  * few times with the same factors.
  *
- * The system is dense, and has two unknowns for each sample of the contours: time grows with the third
+ * The system is dense, and has two unknowns for each sample: time grows with the third
  * power of their number, and memory with its square. Deterministic.
  */
 class SliceField
 {
 public:
-  /// `step`: how far apart samples are on the contours.
-  /// REQUIRES: contours have the interior on their left.
-  SliceField(const Contours& contours, double step, const Execution& execution);
+  SliceField(std::vector<ContourSample>&& samples, const Execution& execution);
   SliceField(SliceField&&) noexcept;
   ~SliceField();
 

@@ -6,13 +6,13 @@ namespace orthoslices
 {
 namespace
 {
-/// Unit normals, weighted by area; zero at creases.
+/// Unit normals in the world, weighted by area; zero at creases.
 std::vector<Point3> EstimatePointNormals(const SurfaceMesh& mesh)
 {
   std::vector<Point3> normals(mesh.Points.size(), Point3{ 0.0, 0.0, 0.0 });
   for (const auto& [a, b, c] : mesh.Corners.ListTriangles())
   {
-    const Point3 normal = Cross(mesh.Points[b] - mesh.Points[a], mesh.Points[c] - mesh.Points[a]);
+    const Point3 normal = Cross(mesh.InWorld(a, b), mesh.InWorld(a, c));
     for (const Index corner : { a, b, c })
     {
       normals[corner] = normals[corner] + normal;
@@ -32,8 +32,9 @@ Point3 FindMiddle(const SurfaceMesh& mesh, const std::vector<Point3>& normals, I
   const Index end = mesh.Corners.EndOf(corner);
   const Point3& p = mesh.Points[start];
   const Point3& q = mesh.Points[end];
-  Point3 shift = 0.125 * Dot(p - q, normals[start]) * normals[start] +
-    0.125 * Dot(q - p, normals[end]) * normals[end];
+  Point3 shift = 0.125 * Dot(mesh.InWorld(end, start), normals[start]) * normals[start] +
+    0.125 * Dot(mesh.InWorld(start, end), normals[end]) * normals[end];
+  shift = mesh.Metric.IsWorld() ? shift : mesh.Metric.ToAxes(shift);
   for (int axis = 0; axis < 3; ++axis)
   {
     if (mesh.Corners.IsCurve(corner) && p[axis] == q[axis])

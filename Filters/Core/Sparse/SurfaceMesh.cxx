@@ -33,20 +33,21 @@ Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const Box3& guides
 }
 
 /// Twice the area by the length: the radius of a circle, the thickness of a long strip.
-double ThicknessOfLoop(const NodeGraph& graph, Index loop)
+double ThicknessOfLoop(const NodeGraph& graph, const AxisFrame& metric, Index loop)
 {
   const int axis = graph.Loops[loop].Axis;
   const Index arc = graph.Arcs + loop;
   const Index count = graph.PointCount(arc);
   double area = 0.0;
   double length = 0.0;
+  const auto inWorld = [&](const Point3& p) { return metric.IsWorld() ? p : metric.ToWorld(p); };
   // From a point of its own: small loops may lie far from the origin.
-  const Point3 first = graph.PointAt(graph.FirstPoint(arc));
+  const Point3 first = inWorld(graph.PointAt(graph.FirstPoint(arc)));
   for (Index i = 0; i < count; ++i)
   {
-    const Point3 p = graph.PointAt(graph.FirstPoint(arc) + i);
-    const Point3 q = graph.PointAt(graph.FirstPoint(arc) + (i + 1) % count);
-    area += 0.5 * Cross(p - first, q - first)[axis];
+    const Point3 p = inWorld(graph.PointAt(graph.FirstPoint(arc) + i));
+    const Point3 q = inWorld(graph.PointAt(graph.FirstPoint(arc) + (i + 1) % count));
+    area += 0.5 * Dot(Cross(p - first, q - first), metric.Normal(axis));
     length += Length(q - p);
   }
   return 2.0 * std::abs(area) / length;
@@ -70,7 +71,8 @@ void FindStretch(const CycleGeometry& geometry, const StackEnds& ends, SurfaceMe
     const bool isAtEdge = mesh.Crease[first] != 0 || ends.HasRim[loop] != 0;
     const double spacings = isAtEdge ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
     const double needed = spacings * geometry.Grid.MeanSpacing(mesh.StretchAxis);
-    const double stretch = std::clamp(needed / ThicknessOfLoop(graph, loop), 1.0, MaxStretch);
+    const double stretch =
+      std::clamp(needed / ThicknessOfLoop(graph, mesh.Metric, loop), 1.0, MaxStretch);
     std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), stretch);
   }
   for (Index point = graph.Count(); point < mesh.Corners.PointCount(); ++point)
@@ -131,6 +133,20 @@ void MarkFlatPatches(
       {
         mesh.Crease[point] |= mesh.Fixed[point];
       }
+    }
+  }
+}
+
+/// Where walls go straight on from a slice, the surface has an edge, too.
+void MarkWalls(const NodeGraph& graph, const StackEnds& ends, SurfaceMesh& mesh)
+{
+  for (std::size_t loop = 0; loop < ends.HasWall.size(); ++loop)
+  {
+    if (ends.HasWall[loop] != 0)
+    {
+      const Index arc = graph.Arcs + static_cast<Index>(loop);
+      std::fill_n(
+        mesh.Crease.begin() + graph.FirstPoint(arc), graph.PointCount(arc), std::uint8_t(1));
     }
   }
 }
@@ -216,14 +232,16 @@ SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patche
   const std::size_t count = draft.Points.size();
   SurfaceMesh mesh{ CornerTable(static_cast<Index>(count), draft.Triangles),
     std::move(draft.Points), {}, std::vector<std::uint8_t>(count, 0), std::move(draft.Patch),
-    std::move(cells), axis, std::vector<double>(count, 1.0) };
+    std::move(cells), geometry.Grid.Metric, axis, std::vector<double>(count, 1.0) };
   mesh.Fixed.assign(count, 0);
   std::fill_n(mesh.Fixed.begin(), geometry.Graph.Count(), std::uint8_t(1));
   std::fill(
     mesh.Fixed.begin() + static_cast<std::ptrdiff_t>(given), mesh.Fixed.end(), std::uint8_t(1));
   MarkContours(mesh);
+  mesh.Levels = ends.Levels;
   if (axis >= 0)
   {
+    MarkWalls(geometry.Graph, ends, mesh);
     MarkFlatPatches(geometry, patches, ends, mesh);
     FindStretch(geometry, ends, mesh);
   }

@@ -20,7 +20,8 @@ namespace orthoslices
  *
  * Lengths and angles are those after a *stretch* of the directions within the slices, for one
  * family of slices: thin things between slices far apart, tubes and blades, look to it about as wide
- * as the slices are apart. Without that the least bending would neither keep a tube's radius nor a
+ * as the slices are apart (and after the map to the world, where families are not at right angles to
+ * each other). Without that the least bending would neither keep a tube's radius nor a
  * blade's edge between two slices. Points themselves are in world coordinates, not stretched.
  */
 struct SurfaceMesh
@@ -32,8 +33,10 @@ struct SurfaceMesh
   std::vector<Index> Cell;          ///< of each triangle: its place in Cells
   std::vector<Box3> Cells; ///< of each patch: where its points may go, the grid's margin taken off
 
-  int StretchAxis = -1;        ///< of the only family of slices; -1: nothing is stretched
-  std::vector<double> Stretch; ///< of each point, at least 1
+  AxisFrame Metric;             ///< what lengths and angles are before the stretch; see SpatialGrid
+  int StretchAxis = -1;         ///< of the only family of slices; -1: nothing is stretched
+  std::vector<double> Stretch;  ///< of each point, at least 1
+  std::vector<double> Levels{}; ///< see StackEnds
 
   /// From one point to another, stretched.
   Point3 Edge(Index from, Index to) const
@@ -43,6 +46,13 @@ struct SurfaceMesh
   }
   Point3 Stretched(const Point3& vector, double stretch) const
   {
+    if (!this->Metric.IsWorld())
+    {
+      const Point3 inWorld = this->Metric.ToWorld(vector);
+      const Point3& up = this->Metric.Normal(std::max(this->StretchAxis, 0));
+      const Point3 across = Dot(inWorld, up) * up;
+      return this->StretchAxis >= 0 ? across + stretch * (inWorld - across) : inWorld;
+    }
     Point3 result = vector;
     if (this->StretchAxis >= 0)
     {
@@ -50,6 +60,13 @@ struct SurfaceMesh
       result[SecondAxis(this->StretchAxis)] *= stretch;
     }
     return result;
+  }
+
+  /// From one point to another in the world, not stretched.
+  Point3 InWorld(Index from, Index to) const
+  {
+    const Point3 edge = this->Points[to] - this->Points[from];
+    return this->Metric.IsWorld() ? edge : this->Metric.ToWorld(edge);
   }
 
   /// The cotangent of a corner's angle, stretched.

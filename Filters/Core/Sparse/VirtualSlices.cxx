@@ -40,8 +40,7 @@ bool RunSteps(const Steps& steps, const Execution& execution)
 }
 
 /// Makes the surface a mesh of equal triangles, bent as little as possible. False if stopped.
-bool MakeFair(
-  const GuideCurves& guides, double edgeLength, const Execution& execution, SurfaceMesh& mesh)
+bool MakeFair(GuideCurves& guides, double edgeLength, const Execution& execution, SurfaceMesh& mesh)
 {
   const auto collapse = [&] { CollapseShortEdges(edgeLength, mesh); };
   const auto flip = [&] { FlipEdges(mesh); };
@@ -116,6 +115,22 @@ void KeepWithin(const SpatialGrid& grid, std::vector<Point3>& points)
   }
 }
 
+/// Slices of walls that end between two of a stack, near their rims.
+void AddLevels(const SurfaceMesh& mesh, const SpatialGrid& grid, VirtualPlanes& planes)
+{
+  if (mesh.StretchAxis < 0)
+  {
+    return;
+  }
+  std::vector<double>& ofStack = planes[mesh.StretchAxis];
+  for (const double level : mesh.Levels)
+  {
+    ofStack.push_back(grid.Round(level));
+  }
+  std::sort(ofStack.begin(), ofStack.end());
+  ofStack.erase(std::unique(ofStack.begin(), ofStack.end()), ofStack.end());
+}
+
 Box3 BoxOf(const TriangleSurface& surface)
 {
   Box3 box;
@@ -134,7 +149,7 @@ Contours MakeVirtualSlices(
   const FairSource& source, const SliceDensity& density, const Execution& execution)
 {
   Contours contours;
-  GuideCurves guides = source.Guides;
+  GuideCurves& guides = source.Guides;
   SurfaceMesh mesh = MakeSurfaceMesh(source.Geometry, source.Surface, guides, execution);
   if (!MakeFair(guides, density.EdgeLength(), execution, mesh))
   {
@@ -148,7 +163,8 @@ Contours MakeVirtualSlices(
   const SpatialGrid& grid = source.Grid;
   KeepWithin(grid, surface.Points);
   const Precision precision = grid.SinglePrecision ? Precision::Single : Precision::Double;
-  const VirtualPlanes planes = ChooseVirtualPlanes(grid, BoxOf(surface), density);
+  VirtualPlanes planes = ChooseVirtualPlanes(grid, BoxOf(surface), density);
+  AddLevels(mesh, grid, planes);
   const double tolerance =
     ThinTolerance * std::min({ density.Spacing(0), density.Spacing(1), density.Spacing(2) });
   for (int axis = 0; axis < 3; ++axis)

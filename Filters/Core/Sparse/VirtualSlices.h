@@ -11,13 +11,14 @@
 namespace orthoslices
 {
 /// What virtual slices are made from: a surface through the contours of all slices or of some, the
-/// planes of all of them, and the contours across of those that took no part in the surface.
+/// planes of all of them, and the contours of those that took no part in the surface, which are told
+/// whether they guide it.
 struct FairSource
 {
   const CycleGeometry& Geometry;
   const Patches& Surface;
   const SpatialGrid& Grid;
-  GuideCurves Guides;
+  GuideCurves& Guides;
 };
 
 /**
@@ -29,7 +30,7 @@ struct FairSource
  *   FairSurface        bent as little as the contours and cells allow
  *   GuideSurface       through the guides; then the two before, twice more
  *   SubdivideSurface   four curved triangles for each, within the bounds of the grid
- *   SliceSurface       cut on the planes of ChooseVirtualPlanes
+ *   SliceSurface       cut on the planes of ChooseVirtualPlanes, and near rims between slices
  *
  * Returns these contours alone: closed, with the interior on their left, of Cell -1 and with Virtual
  * set, without vertices that lie within 0.003 of the distance of planes of the line through the

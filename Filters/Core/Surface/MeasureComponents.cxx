@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surface/MeasureComponents.h"
 
-#include "Core/Base/Box.h"
+#include "Core/Base/Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,7 @@ std::uint64_t HashOfEdge(std::uint64_t a, std::uint64_t b)
 /// What is summed up over the triangles of one component.
 struct Sums
 {
-  Box3 Bounds;
-  Point3 Origin{ 0.0, 0.0, 0.0 };
+  Point3 Origin{ 0.0, 0.0, 0.0 }; ///< the first point
   double Area = 0.0;
   double SixfoldVolume = 0.0;
   Point3 AreaMoment{ 0.0, 0.0, 0.0 };   ///< three times the integral of the position over the area
@@ -33,25 +32,28 @@ struct Sums
   std::uint64_t Edges = 0; ///< forwards minus backwards; not 0 if an edge has no counterpart
   std::int64_t Triangles = 0;
 
-  void Add(const Point3& a, const Point3& b, const Point3& c);
+  void Add(const Point3& a, const Point3& b, const Point3& c)
+  {
+    const Point3 from = a - this->Origin;
+    const Point3 one = b - a;
+    const Point3 other = c - a;
+    const Point3 normal = Cross(one, other);
+    const Point3 sum = 3.0 * from + one + other;
+    const double area = 0.5 * Length(normal);
+    const double volume = Dot(from, normal);
+    this->Area += area;
+    this->SixfoldVolume += volume;
+    this->AreaMoment = this->AreaMoment + area * sum;
+    this->VolumeMoment = this->VolumeMoment + volume * sum;
+    ++this->Triangles;
+  }
+
   void AddEdge(std::uint64_t from, std::uint64_t to)
   {
     const std::uint64_t hash = HashOfEdge(from, to);
     this->Edges += from < to ? hash : std::uint64_t(0) - hash;
   }
 };
-
-void Sums::Add(const Point3& a, const Point3& b, const Point3& c)
-{
-  const Point3 sum = a + b + c;
-  const double area = 0.5 * Length(Cross(b - a, c - a));
-  const double volume = Dot(a, Cross(b, c));
-  this->Area += area;
-  this->SixfoldVolume += volume;
-  this->AreaMoment = this->AreaMoment + area * sum;
-  this->VolumeMoment = this->VolumeMoment + volume * sum;
-  ++this->Triangles;
-}
 
 ComponentMeasure MeasureOf(const Sums& sums)
 {
@@ -77,7 +79,7 @@ ComponentMeasure MeasureOf(const Sums& sums)
 
 template <typename Coordinate, typename Id>
 std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const Id* triangles,
-  std::int64_t triangleCount, const int* components, int count)
+  std::int64_t triangleCount, const int* components, int count, bool mayBeOpen)
 {
   const auto point = [&](Id id)
   {
@@ -86,36 +88,29 @@ std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const 
       static_cast<double>(p[2]) };
   };
   std::vector<Sums> sums(count);
-  const auto visit = [&](auto&& add)
+  for (std::int64_t i = 0; i < triangleCount;)
   {
-    for (std::int64_t i = 0; i < triangleCount; ++i)
+    const int component = components[i];
+    if (component < 0 || component >= count)
     {
-      if (components[i] >= 0 && components[i] < count)
-      {
-        add(triangles + 3 * i, sums[components[i]]);
-      }
+      ++i;
+      continue;
     }
-  };
-  visit(
-    [&](const Id* ids, Sums& sum)
+    // Triangles of one component lie side by side: their sums are held in registers.
+    Sums sum = sums[component];
+    sum.Origin = sum.Triangles == 0 ? point(triangles[3 * i]) : sum.Origin;
+    const std::int64_t first = i;
+    for (; i < triangleCount && components[i] == component; ++i)
     {
-      for (int i = 0; i < 3; ++i)
-      {
-        sum.Bounds.Add(point(ids[i]));
-        sum.AddEdge(ids[i], ids[(i + 1) % 3]);
-      }
-    });
-  for (Sums& sum : sums)
-  {
-    if (sum.Bounds.Low[0] <= sum.Bounds.High[0])
-    {
-      sum.Origin = Between(sum.Bounds.Low, sum.Bounds.High, 0.5);
+      const Id* ids = triangles + 3 * i;
+      sum.Add(point(ids[0]), point(ids[1]), point(ids[2]));
     }
+    for (std::int64_t corner = 3 * first; mayBeOpen && corner < 3 * i; ++corner)
+    {
+      sum.AddEdge(triangles[corner], triangles[corner % 3 == 2 ? corner - 2 : corner + 1]);
+    }
+    sums[component] = sum;
   }
-  visit(
-    [&](const Id* ids, Sums& sum) {
-      sum.Add(point(ids[0]) - sum.Origin, point(ids[1]) - sum.Origin, point(ids[2]) - sum.Origin);
-    });
   std::vector<ComponentMeasure> measures(count);
   std::transform(sums.begin(), sums.end(), measures.begin(), MeasureOf);
   return measures;
@@ -123,7 +118,7 @@ std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const 
 
 #define ORTHOSLICES_DEFINE(Coordinate, Id)                  \
   template std::vector<ComponentMeasure> MeasureComponents( \
-    const Coordinate*, const Id*, std::int64_t, const int*, int);
+    const Coordinate*, const Id*, std::int64_t, const int*, int, bool);
 ORTHOSLICES_DEFINE(float, std::int32_t)
 ORTHOSLICES_DEFINE(float, long long)
 ORTHOSLICES_DEFINE(double, std::int32_t)

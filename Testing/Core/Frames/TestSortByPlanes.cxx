@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Frames/SortByPlanes.h"
 
-#include "Core/Base/Box.h"
-#include "Support/AnalyticSolids.h"
 #include "Support/Random.h"
 #include "Support/SliceSolid.h"
 #include "Support/TurnedSlices.h"
@@ -19,26 +17,6 @@ using namespace orthoslices::support;
 
 namespace
 {
-const PieceSets& TorusSlices()
-{
-  static const PieceSets sets = []
-  {
-    const Solid solid = TiltedTorus();
-    return SliceSolid(solid, EqualPlanes(solid, { 7, 8, 9 }), 6, InPlaneGrid::Free);
-  }();
-  return sets;
-}
-
-double DiagonalOf(const Polylines& lines)
-{
-  Box3 box;
-  for (std::size_t i = 0; i < lines.X.size(); ++i)
-  {
-    box.Add(lines.PointAt(static_cast<Index>(i)));
-  }
-  return box.Diagonal();
-}
-
 std::size_t CountPlanes(const Pieces& pieces)
 {
   return std::set<double>(pieces.W.begin(), pieces.W.end()).size();

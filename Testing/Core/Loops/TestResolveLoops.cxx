@@ -67,15 +67,7 @@ Contours ToContours(const std::vector<Polygon>& polygons)
   Contours contours;
   for (const Polygon& polygon : polygons)
   {
-    for (const Point2& p : polygon)
-    {
-      contours.U.push_back(p[0]);
-      contours.V.push_back(p[1]);
-    }
-    contours.Offsets.push_back(static_cast<Index>(contours.U.size()));
-    contours.Axis.push_back(2);
-    contours.Coordinate.push_back(0.0);
-    contours.Cell.push_back(contours.Count() - 1);
+    AddContour(contours, polygon);
   }
   return contours;
 }

@@ -272,6 +272,16 @@ TEST(AssembleContours, ContoursThatTouchInAPointArePairedWithoutCrossing)
 }
 
 //----------------------------------------------------------------------------
+TEST(AssembleContours, AnOpenPieceOfOnePointJoinsNothing)
+{
+  const Assembled result = Assemble("y=2 open: 0,0; y=2 open: 0,0 8,0 8,8 0,8 0,0");
+  ASSERT_EQ(result.Set.Count(), 1);
+  EXPECT_EQ(result.Set.Size(0), 4);
+  ASSERT_EQ(result.Problems.size(), 1u);
+  EXPECT_EQ(result.Problems[0].Kind, ProblemKind::Open);
+}
+
+//----------------------------------------------------------------------------
 TEST(AssembleContours, SegmentsGivenTwiceCountOnce)
 {
   for (std::uint64_t seed = 0; seed < 20; ++seed)

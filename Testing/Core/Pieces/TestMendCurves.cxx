@@ -65,8 +65,8 @@ std::vector<OpenCurve> Close(std::vector<OpenCurve>& curves)
 }
 
 /// Mends curves of z-slices.
-MendedCurves Mend(
-  std::vector<OpenCurve> curves, BorderContours atBorder = BorderContours::CloseAlong)
+MendedCurves Mend(std::vector<OpenCurve> curves,
+  BorderContours atBorder = BorderContours::CloseAlong, const Box3& given = Box3())
 {
   std::array<ImageBorder, 3> borders;
   for (const OpenCurve& curve : curves)
@@ -76,7 +76,7 @@ MendedCurves Mend(
       borders[2].Add(point);
     }
   }
-  return MendCurves(std::move(curves), 1e-9, atBorder, borders);
+  return MendCurves(std::move(curves), 1e-9, atBorder, given, borders);
 }
 }
 
@@ -269,11 +269,37 @@ TEST(ImageBorder, OtherAxesSeeTheSameSide)
     }
   }
   const MendedCurves result =
-    MendCurves(std::move(curves), 1e-9, BorderContours::CloseAlong, borders);
+    MendCurves(std::move(curves), 1e-9, BorderContours::CloseAlong, Box3(), borders);
   EXPECT_EQ(TotalArea(result.Loops), 24.0);
   EXPECT_TRUE(borders[2].IsFound[0][1]);
   EXPECT_TRUE(borders[1].IsFound[1][1]);
   EXPECT_FALSE(borders[1].IsFound[0][1] || borders[2].IsFound[1][1] || borders[2].IsFound[0][0]);
+}
+
+//----------------------------------------------------------------------------
+/// Where other contours reach farther, a border is found only if it is given; of the axes that are not
+/// given it is found as before.
+TEST(ImageBorder, GivenSidesNeedNotBeFound)
+{
+  OpenCurve farther = Arc(5.0, 355.0, 7, { 8.0, 3.0 });
+  EXPECT_EQ(Mend({ CurveOf(HalfDisc, 3), farther }).Loops.size(), 1u);
+  Box3 given;
+  given.Low[0] = 0.0;
+  given.High[0] = 4.0;
+  const MendedCurves result =
+    Mend({ CurveOf(HalfDisc, 3), farther }, BorderContours::CloseAlong, given);
+  ASSERT_EQ(result.Loops.size(), 2u);
+  EXPECT_NEAR(TotalArea(result.Loops), 12.0 + 3.14159, 0.02);
+  given.High[0] = 1.0;
+  EXPECT_EQ(Mend({ CurveOf(HalfDisc, 3) }, BorderContours::CloseAlong, given).Loops.size(), 0u);
+  given = Box3();
+  given.Low[1] = -2.0;
+  given.High[1] = 8.0;
+  EXPECT_EQ(Mend({ CurveOf(HalfDisc, 3) }, BorderContours::CloseAlong, given).Loops.size(), 1u);
+  given.Low[0] = -HUGE_VAL;
+  given.High[0] = 4.0;
+  EXPECT_EQ(
+    AreaOf(Mend({ CurveOf(HalfDisc, 3) }, BorderContours::CloseAlong, given).Loops.at(0)), 12.0);
 }
 
 //----------------------------------------------------------------------------

@@ -37,19 +37,6 @@ std::vector<int> Signs(const Contours& contours)
   }
   return signs;
 }
-
-void AddContour(Contours& contours, const std::vector<std::array<double, 2>>& vertices)
-{
-  for (const auto& vertex : vertices)
-  {
-    contours.U.push_back(vertex[0]);
-    contours.V.push_back(vertex[1]);
-  }
-  contours.Offsets.push_back(static_cast<Index>(contours.U.size()));
-  contours.Axis.push_back(2);
-  contours.Coordinate.push_back(0.0);
-  contours.Cell.push_back(contours.Count() - 1);
-}
 }
 
 //----------------------------------------------------------------------------

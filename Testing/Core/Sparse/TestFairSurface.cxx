@@ -42,20 +42,6 @@ struct Rings
   std::vector<double> Heights, Radii;
 };
 
-/// In the order of MakeVirtualSlices, with edges of this length.
-void MakeFair(double length, SurfaceMesh& mesh)
-{
-  CollapseShortEdges(length, mesh);
-  FlipEdges(mesh);
-  RefineEdges(length, mesh);
-  CollapseShortEdges(length, mesh);
-  FairSurface(EdgeWeights::Uniform, mesh);
-  SplitLongEdges(length, mesh);
-  CollapseShortEdges(length, mesh);
-  FlipEdges(mesh);
-  FairSurface(EdgeWeights::Cotangents, mesh);
-}
-
 void Stretch(double stretch, SurfaceMesh& mesh)
 {
   mesh.StretchAxis = 2;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -42,7 +43,7 @@ SurfaceMesh Tube()
     std::vector<std::uint8_t>(8, 0), cell,
     { { { -1, -1, -0.5 }, { 1, 1, 0 } }, { { -1, -1, 0 }, { 1, 1, 1 } },
       { { -1, -1, 1 }, { 1, 1, 1.9 } } },
-    -1, std::vector<double>(8, 1.0) };
+    AxisFrame(), -1, std::vector<double>(8, 1.0) };
   for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
   {
     if (mesh.Cell[corner / 3] != mesh.Cell[mesh.Corners.OppositeOf(corner) / 3])
@@ -91,12 +92,59 @@ TEST(CutGuides, ASideInTheLastSliceLiesBeyondIt)
 }
 
 //----------------------------------------------------------------------------
+/// A contour on an inclined plane is cut by the stack and by the slice across before it.
+TEST(AddGuides, InclinedContoursAreCut)
+{
+  GuideCurves curves = CurvesAcross("2.3");
+  const double share = std::sqrt(0.5);
+  AddGuides({ { { { share, share, 0.0 }, 0.0 },
+              { { { 1, -1, -0.4 }, { -1, 1, -0.4 }, { -1, 1, 2.3 }, { 1, -1, 2.3 } } } } },
+    curves);
+  ASSERT_EQ(curves.Slices.size(), 2u);
+  const auto& pieces = curves.Slices[1].Pieces;
+  ASSERT_EQ(pieces.size(), 8u); // below and above are two, each, that meet the slice across
+  std::array<int, 4> inSlab{};
+  for (const GuidePiece& piece : pieces)
+  {
+    ++inSlab[piece.Slab];
+    for (const int end : { 0, 1 })
+    {
+      const Point3& p = end == 0 ? piece.Points.front() : piece.Points.back();
+      const Index plane = piece.Planes[end];
+      EXPECT_NEAR(plane < 0 ? p[0] : p[2], plane < 0 ? 0.0 : curves.StackPlanes[plane], 1e-12);
+    }
+  }
+  EXPECT_EQ(inSlab, (std::array<int, 4>{ 2, 2, 2, 2 }));
+}
+
+//----------------------------------------------------------------------------
+/// Without a stack, contours are cut by the planes of all families, and pieces are within cells.
+TEST(AddGuides, FamiliesCutAndNumberCells)
+{
+  GuideCurves curves;
+  curves.Planes = { { { 0.0 }, { 0.0 }, {} } };
+  AddGuides({ { { { 0.0, 0.0, 1.0 }, 0.5 },
+              { { { -1, -1, 0.5 }, { 1, -1, 0.5 }, { 1, 1, 0.5 }, { -1, 1, 0.5 } } } } },
+    curves);
+  ASSERT_EQ(curves.Slices.size(), 1u);
+  std::array<int, 4> inCell{};
+  for (const GuidePiece& piece : curves.Slices[0].Pieces)
+  {
+    ++inCell.at(piece.Slab);
+    EXPECT_EQ(piece.Points.size(), 3u); // around a corner
+    EXPECT_EQ(piece.Slab, curves.SlabAt(piece.Points[1]));
+  }
+  EXPECT_EQ(inCell, (std::array<int, 4>{ 1, 1, 1, 1 }));
+}
+
+//----------------------------------------------------------------------------
 /// The cut of the end between its two fixed points lies on the guide, corners included, and is fixed.
 TEST(GuideSurface, TheCutLiesOnTheGuides)
 {
-  const GuideCurves curves = CurvesAcross("1.5");
+  GuideCurves curves = CurvesAcross("1.5");
   SurfaceMesh mesh = Tube();
   EXPECT_EQ(GuideSurface(curves, 0.5, 0.1, mesh), 4); // both ends and both walls
+  EXPECT_EQ(curves.Slices[0].Guiding, 4);
   Index onCut = 0;
   bool low = false, high = false;
   for (Index point = 0; point < mesh.Corners.PointCount(); ++point)

@@ -29,8 +29,9 @@ struct Sliced
     {
       box.Add(this->First.Graph.PointAt(i));
     }
+    GuideCurves none;
     this->Virtual =
-      MakeVirtualSlices({ GeometryOf(this->First), this->First.Surface, this->First.Grid, {} },
+      MakeVirtualSlices({ GeometryOf(this->First), this->First.Surface, this->First.Grid, none },
         SliceDensity(this->First.Grid, box), execution);
   }
 
@@ -191,6 +192,22 @@ TEST(SurfaceMesh, ContoursAreCurvesOfFixedPoints)
     }
   }
   EXPECT_EQ(curves, 2 * sliced.First.Graph.Count()); // as many edges as points, from both sides
+}
+
+//----------------------------------------------------------------------------
+/// Of families that are not at right angles, lengths and angles are those of the world; the stretch is
+/// along the slices, whatever the axes are.
+TEST(SurfaceMesh, LengthsAreThoseOfTheWorld)
+{
+  const double s = 0.6, c = 0.8;
+  const AxisFrame frame({ { { s, 0.0, c }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } });
+  const Point3 start{ 1.0, 2.0, 3.0 }, inWorld{ 0.3, -0.7, 0.2 };
+  SurfaceMesh mesh{ CornerTable(2, {}), { frame.ToAxes(start), frame.ToAxes(start + inWorld) },
+    { 0, 0 }, { 0, 0 }, {}, {}, frame, -1, { 2.0, 2.0 } };
+  EXPECT_LT(Length(mesh.Edge(0, 1) - inWorld), 1e-14);
+  EXPECT_LT(Length(mesh.InWorld(0, 1) - inWorld), 1e-14);
+  mesh.StretchAxis = 2;
+  EXPECT_LT(Length(mesh.Edge(0, 1) - Point3{ 0.6, -1.4, 0.2 }), 1e-14);
 }
 
 //----------------------------------------------------------------------------

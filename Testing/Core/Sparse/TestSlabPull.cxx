@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Sparse/SlabPull.h"
 
-#include "Core/Sparse/FairSurface.h"
 #include "Core/Sparse/RemeshSurface.h"
 #include "Support/ClosedMeshes.h"
 
@@ -33,21 +32,6 @@ SurfaceMesh LedgeSurface(double wide, double bottom)
   return mesh;
 }
 
-/// In the order of MakeVirtualSlices.
-void MakeFair(double length, bool isPulled, SurfaceMesh& mesh)
-{
-  CollapseShortEdges(length, mesh);
-  FlipEdges(mesh);
-  RefineEdges(length, mesh);
-  CollapseShortEdges(length, mesh);
-  FairSurface(EdgeWeights::Uniform, mesh);
-  SplitLongEdges(length, mesh);
-  CollapseShortEdges(length, mesh);
-  FlipEdges(mesh);
-  mesh.StretchAxis = isPulled ? mesh.StretchAxis : -1;
-  FairSurface(EdgeWeights::Cotangents, mesh);
-}
-
 /// The greatest distance from the middle of the slab of what lies in the midst of the ledge.
 double OffMiddle(const SurfaceMesh& mesh, double from, double to)
 {
@@ -75,8 +59,8 @@ TEST(SlabPull, TheMidstOfAWideLedgeIsInTheMiddleOfItsSlab)
 {
   SurfaceMesh plain = LedgeSurface(9.0, -3.0);
   SurfaceMesh pulled = plain;
-  MakeFair(0.6, false, plain);
-  MakeFair(0.6, true, pulled);
+  MakeFair(0.6, plain, false);
+  MakeFair(0.6, pulled);
   const double before = OffMiddle(plain, 3.5, 7.0);
   const double after = OffMiddle(pulled, 3.5, 7.0);
   EXPECT_GT(before, 0.3);

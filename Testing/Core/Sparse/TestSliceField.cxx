@@ -32,12 +32,19 @@ struct Sliced
       }
     }
     this->Set = UsableContours(sets, Options(), this->Grid);
-    this->Step = SampleStep(this->Set, 0.05 * scale);
+    this->Loops = MapToWorld(this->Set, AxisFrame());
+    this->Step = SampleStep(this->Loops, 0.05 * scale);
   }
 
   Contours Set;
   SpatialGrid Grid;
+  std::vector<WorldLoop> Loops;
   double Step;
+
+  SliceField Solve(const Execution& execution = Execution()) const
+  {
+    return SliceField(SampleLoops(this->Loops, this->Step), execution);
+  }
 };
 
 /// Places on the surface of a ball around the origin, evenly.
@@ -57,7 +64,7 @@ std::vector<Point3> PlacesOnBall(double radius)
 Contours Cut(const Sliced& sliced, const Execution& execution = Execution())
 {
   const SliceDensity density(sliced.Grid, BoxOf(sliced.Set), 0.0, SparseRule::Field);
-  return CutField(SliceField(sliced.Set, sliced.Step, execution), sliced.Grid, density, execution);
+  return CutField(sliced.Solve(execution), sliced.Grid, density, execution);
 }
 }
 
@@ -68,7 +75,7 @@ TEST(SliceField, IsTheDistanceFromABall)
   const Solid ball = PlainBall();
   const double radius = -ball.Value({ 0.0, 0.0, 0.0 });
   const Sliced sliced(ball, { 3, 3, 3 });
-  const SliceField field(sliced.Set, sliced.Step, Execution());
+  const SliceField field = sliced.Solve();
   ASSERT_TRUE(field.IsSolved());
   for (const double off : { -0.1, 0.0, 0.1 })
   {
@@ -87,9 +94,9 @@ TEST(SliceField, IsZeroOnTheContoursOfAnySolid)
   {
     SCOPED_TRACE(solid.Name);
     const Sliced sliced(solid, { 3, 2, 4 });
-    const SliceField field(sliced.Set, sliced.Step, Execution());
+    const SliceField field = sliced.Solve();
     ASSERT_TRUE(field.IsSolved());
-    for (const ContourSample& sample : SampleContours(sliced.Set, sliced.Step))
+    for (const ContourSample& sample : SampleLoops(sliced.Loops, sliced.Step))
     {
       EXPECT_NEAR(field.Value(sample.Position), 0.0, 1e-6);
       EXPECT_GT(field.Value(sample.Position + 1e-3 * sample.Inwards), 0.0);
@@ -101,8 +108,8 @@ TEST(SliceField, IsZeroOnTheContoursOfAnySolid)
 TEST(SliceField, ScalesWithTheContours)
 {
   const Sliced small(PlainBall(), { 2, 2, 2 }), large(PlainBall(), { 2, 2, 2 }, 1024.0);
-  const SliceField fine(small.Set, small.Step, Execution());
-  const SliceField coarse(large.Set, large.Step, Execution());
+  const SliceField fine = small.Solve();
+  const SliceField coarse = large.Solve();
   for (const Point3& place : PlacesOnBall(0.7))
   {
     EXPECT_NEAR(coarse.Value(1024.0 * place), 1024.0 * fine.Value(place), 1e-6);
@@ -114,7 +121,7 @@ TEST(SliceField, OnePlaneDoesNotDetermineIt)
 {
   const Sliced sliced(PlainBall(), { 0, 0, 1 });
   ASSERT_EQ(sliced.Set.Count(), 1);
-  EXPECT_FALSE(SliceField(sliced.Set, sliced.Step, Execution()).IsSolved());
+  EXPECT_FALSE(sliced.Solve().IsSolved());
 }
 
 //----------------------------------------------------------------------------
@@ -122,8 +129,8 @@ TEST(SliceField, OnePlaneDoesNotDetermineIt)
 TEST(SliceField, SamplesAreBetweenHundredsAndThousands)
 {
   const Sliced sliced(PlainBall(), { 5, 5, 5 });
-  const std::size_t fewest = SampleContours(sliced.Set, SampleStep(sliced.Set, 100.0)).size();
-  const std::size_t most = SampleContours(sliced.Set, SampleStep(sliced.Set, 1e-6)).size();
+  const std::size_t fewest = SampleLoops(sliced.Loops, SampleStep(sliced.Loops, 100.0)).size();
+  const std::size_t most = SampleLoops(sliced.Loops, SampleStep(sliced.Loops, 1e-6)).size();
   EXPECT_GE(fewest, 500u);
   EXPECT_GT(most, fewest);
   EXPECT_LE(most, 1700u);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Frames/AxisFrame.h"
+#include "Core/Base/AxisFrame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -26,6 +26,13 @@ public:
   /// The unit normal of the slices across an axis.
   const Point3& Normal(int axis) const { return this->Normals[axis]; }
 
+  /// What a step of 1 along an axis is in the world: along the intersection of the planes of the other
+  /// two families, as long as takes one from a plane of the axis to that at a distance of 1.
+  const Point3& Edge(int axis) const { return this->Edges[axis]; }
+
+  /// The volume in the world of a unit cube along the axes.
+  double Volume() const { return Dot(this->Edges[0], Cross(this->Edges[1], this->Edges[2])); }
+
   /// Whether these are the axes of the world.
   bool IsWorld() const { return this->World; }
 
@@ -53,8 +60,6 @@ public:
 
 private:
   std::array<Point3, 3> Normals{ { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } };
-  /// Along the intersections of the planes of the other two families, as long as takes one from a
-  /// plane of the third to that at a distance of 1.
   std::array<Point3, 3> Edges = Normals;
   bool World = true;
 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Frames/AxisFrame.h"
+#include "Core/Base/AxisFrame.h"
 
 #include "Support/TurnedSlices.h"
 
@@ -33,6 +33,14 @@ TEST(AxisFrame, CoordinatesAreDistancesAlongTheNormals)
   const Point3 along = frame.ToAxes(p);
   EXPECT_NEAR(along[2], 4.0 * s + 5.0 * c, 1e-14);
   EXPECT_LT(Length(frame.ToWorld(along) - p), 1e-14);
+  Point3 sum{ 0.0, 0.0, 0.0 };
+  for (const int axis : { 0, 1, 2 })
+  {
+    EXPECT_NEAR(Dot(frame.Normal(axis), frame.Edge(axis)), 1.0, 1e-14);
+    sum = sum + along[axis] * frame.Edge(axis);
+  }
+  EXPECT_LT(Length(sum - p), 1e-14);
+  EXPECT_NEAR(frame.Volume() * c, 1.0, 1e-14);
   // A surface along the planes of a family has the normal of these.
   EXPECT_LT(Length(frame.NormalToWorld({ 0.0, 0.0, 0.3 }) - frame.Normal(2)), 1e-14);
   EXPECT_EQ(frame.NormalToWorld({ 0.0, 0.0, 0.0 }), (Point3{ 0.0, 0.0, 0.0 }));
