@@ -260,14 +260,14 @@ bool SparseRunner::SketchWithoutField(Pass& pass) const
 }
 
 /// Makes the surface anew, with virtual slices of a field through all contours. That decides what the
-/// contours leave open, but not against them: what the first surface joins stays joined, and tunnels
-/// come in only if the field foretells slices as well as patches within cells do. False if these
-/// foretell slices better.
+/// contours leave open, but not against them: what the first surface joins stays joined, and tunnels come
+/// in only where slices agree, and if the field foretells them as well. False if what there is without
+/// a field foretells slices better.
 bool SparseRunner::FollowField()
 {
   constexpr double asGood = 0.95;
   // A surface that was bent is as smooth as a field; patches within cells are not.
-  const double enough = this->Sparse.Bending.IsSparse() ? 1.0 : 0.75;
+  const double enough = this->Sparse.Bending.IsSparse() ? 1.05 : 0.75;
   const Pass& first = this->First;
   const std::vector<WorldLoop> loops = ListLoops(this->Drawn, first);
   const double step = SampleStep(loops, this->Sparse.EdgeLength());
@@ -285,10 +285,11 @@ bool SparseRunner::FollowField()
   const Contours added = CutField(field, first.Result.Grid, this->Sparse.Field, first.Execute);
   const PriorKnowledge known{ TopologyOf(first.Result).Components, -1 };
   const Index genus = first.Result.Topology.Genus;
+  const bool doAgree = DoSlicesAgree(first.Result);
   const auto isRight = [&](const SurfaceTopology& found)
   {
     return found.Components <= known.Components &&
-      (found.Genus <= genus || patchesByField >= asGood);
+      (found.Genus <= genus || (doAgree && patchesByField >= asGood));
   };
   return this->First.GoOn(1.0) &&
     this->RunAgain({ added, known, isRight, Everywhere(), ListGuiding(first.Settings) });

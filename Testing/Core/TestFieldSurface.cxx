@@ -21,7 +21,7 @@ using namespace orthoslices::support;
 
 namespace
 {
-Reconstruction Run(const PieceSets& sets, VirtualSlices use = VirtualSlices::Automatic)
+Reconstruction MakeSurfaceOf(const PieceSets& sets, VirtualSlices use = VirtualSlices::Automatic)
 {
   Options options;
   options.Virtual = use;
@@ -67,10 +67,10 @@ TEST(FieldSurface, RoundThingsFollowAField)
   for (const auto& count : { std::array<int, 3>{ 3, 2, 2 }, { 1, 1, 1 }, { 4, 4, 4 }, { 2, 0, 3 } })
   {
     const PieceSets sets = SliceByFewPlanes(egg, EqualPlanes(egg, count));
-    const Reconstruction result = Run(sets);
+    const Reconstruction result = MakeSurfaceOf(sets);
     EXPECT_EQ(result.Topology.Components, 1);
     EXPECT_EQ(result.Topology.Genus, 0);
-    EXPECT_LT(ErrorOf(result, egg), 0.5 * ErrorOf(Run(sets, VirtualSlices::Off), egg));
+    EXPECT_LT(ErrorOf(result, egg), 0.5 * ErrorOf(MakeSurfaceOf(sets, VirtualSlices::Off), egg));
     EXPECT_LT(ErrorOf(result, egg), 0.05);
     EXPECT_EQ(DescribeFlaws(MeshOf(result)), "");
   }
@@ -93,7 +93,8 @@ TEST(FieldSurface, BoxesStayBoxes)
           sets[axis], { { 0, 0 }, { u, 0 }, { u, v }, { 0, v } }, size[axis] * (i + 0.5) / planes);
       }
     }
-    const Reconstruction automatic = Run(sets), off = Run(sets, VirtualSlices::Off);
+    const Reconstruction automatic = MakeSurfaceOf(sets),
+                         off = MakeSurfaceOf(sets, VirtualSlices::Off);
     EXPECT_EQ(MeshOf(automatic).Points, MeshOf(off).Points);
   }
 }
@@ -104,7 +105,8 @@ TEST(FieldSurface, DenseSlicesAreLeftAlone)
 {
   const Solid egg = Egg();
   const PieceSets sets = SliceByFewPlanes(egg, EqualPlanes(egg, { 12, 12, 12 }));
-  EXPECT_EQ(MeshOf(Run(sets)).Points, MeshOf(Run(sets, VirtualSlices::Off)).Points);
+  EXPECT_EQ(
+    MeshOf(MakeSurfaceOf(sets)).Points, MeshOf(MakeSurfaceOf(sets, VirtualSlices::Off)).Points);
 }
 
 //----------------------------------------------------------------------------
@@ -117,7 +119,8 @@ TEST(FieldSurface, SolidsKeepTheirComponents)
     {
       SCOPED_TRACE(solid.Name);
       const PieceSets sets = SliceByFewPlanes(solid, EqualPlanes(solid, count));
-      const Reconstruction automatic = Run(sets), off = Run(sets, VirtualSlices::Off);
+      const Reconstruction automatic = MakeSurfaceOf(sets),
+                           off = MakeSurfaceOf(sets, VirtualSlices::Off);
       EXPECT_LE(automatic.Topology.Components, off.Topology.Components + off.SmallComponents);
       EXPECT_EQ(DescribeFlaws(MeshOf(automatic)), "");
     }
