@@ -411,8 +411,12 @@ public:
    * axes, nothing given. World units. Where the planes are turned, the values are those along the axes
    * of the families: distances along their normals (field data FamilyNormals).
    *
-   * Contours end on the border exactly. Between two slices, the surface ends there, and not beyond by
-   * more than two hundredths of a spacing, but its edge is rounded, as no slice shows it.
+   * Contours end on the border exactly. With slices of three families, or two, that are no fewer
+   * than two across each axis at whose sides contours end, the surface ends flat there, with an
+   * edge, two thousandths of a spacing beyond at most: each side counts as a slice, a virtual one
+   * (array Virtual of the graph, and column of the tables). Else, and with labels or Smoothing,
+   * the edge is rounded between two slices, and the surface ends two hundredths of a spacing
+   * beyond at most.
    */
   vtkSetVector6Macro(BorderBounds, double);
   vtkGetVector6Macro(BorderBounds, double);

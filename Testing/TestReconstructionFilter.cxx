@@ -501,13 +501,13 @@ TEST(ReconstructionFilter, ContoursThatEndAtTheBorderAreClosedOrRefused)
   EXPECT_LE(bounds[1], 3.02) << "nothing beyond the border but two hundredths of a spacing";
   EXPECT_EQ(run.Filter->GetProblemTable()->GetNumberOfRows(), 4);
   TextRun given{ text };
-  given.Filter->SetBorderBounds(0.0, 2.0, 0.0, -1.0, 0.0, -1.0); // no contour ends there
+  given.Filter->SetBorderBounds(-1.0, 2.0, 0.0, -1.0, 0.0, -1.0); // no contour ends there
   given.Update();
   for (const std::string& warning : given.Warnings)
   {
     EXPECT_FALSE(Contains(warning, "border of the image")) << warning;
   }
-  given.Filter->SetBorderBounds(0.0, 3.0, 0.0, -1.0, 0.0, -1.0);
+  given.Filter->SetBorderBounds(-1.0, 3.0, 0.0, -1.0, 0.0, -1.0);
   EXPECT_EQ(MeshOf(given.Update()).Points, MeshOf(surface).Points);
   TextRun open{ text };
   open.Filter->SetBorderContoursToLeaveOpen();

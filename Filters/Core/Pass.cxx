@@ -83,10 +83,15 @@ void Pass::AddEndSlices()
     CopyEndSlices(this->Tables.Contours, this->Result.Grid, this->Tables.Tolerance);
   if (ends.Copies.Count() > 0)
   {
-    AddVirtual(ends.Copies, this->Tables.Contours);
-    this->Bounds = ends.Bounds;
-    this->HasEndSlices = true;
-    this->BuildGrid();
+    this->AddVirtualSlices(ends.Copies, ends.Bounds);
   }
+}
+
+void Pass::AddVirtualSlices(const Contours& added, const Box3& bounds)
+{
+  this->Bounds = bounds;
+  AddVirtual(added, this->Tables.Contours);
+  this->OwnsVirtual = true;
+  this->BuildGrid();
 }
 }

@@ -13,9 +13,9 @@
 namespace orthoslices
 {
 /**
- * One pass of the stages of Reconstruct over a set of contours: the data that go from stage to stage,
- * and what each stage has to do besides its work. Where slices are few there are several passes, each
- * over other contours of the same input.
+ * One pass of the stages of Reconstruct over a set of contours: the data that go from stage to
+ * stage, and what each stage has to do besides its work. Where slices are few there are several
+ * passes, each over other contours of the same input.
  */
 class Pass
 {
@@ -46,12 +46,16 @@ public:
 
   void BuildGrid();
 
-  /// The slices of an only family end half a slice farther: with copies of the first and the last one,
-  /// which are virtual. See CopyEndSlices.
+  /// The slices of an only family end half a slice farther: with copies of the first and the last
+  /// one, which are virtual. See CopyEndSlices.
   void AddEndSlices();
 
+  /// Adds contours on virtual planes before anything was made of the real ones, and bounds of the
+  /// surface; the report is this pass's.
+  void AddVirtualSlices(const Contours& added, const Box3& bounds);
+
   /// Whether the report of what the slices leave open is this pass's to make.
-  bool ShowsDoubts() const { return !this->Result.Grid.HasVirtual() || this->HasEndSlices; }
+  bool ShowsDoubts() const { return !this->Result.Grid.HasVirtual() || this->OwnsVirtual; }
 
   Options Settings;
   const Execution& Execute;
@@ -62,7 +66,7 @@ public:
 
 private:
   Box3 Bounds = Everywhere();  ///< of the surface, where slices were added at its ends,
-  bool HasEndSlices = false;   ///< by this pass: else another one has made the report
+  bool OwnsVirtual = false;    ///< slices were added by this pass: else another one made the report
   double From = 0.0, To = 1.0; ///< progress of the whole at 0 and 1 of the part at work
 };
 }

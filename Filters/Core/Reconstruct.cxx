@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Reconstruct.h"
 
+#include "Core/BorderCaps.h"
 #include "Core/MakeSurface.h"
 #include "Core/ReadSlices.h"
 #include "Core/SparseSurface.h"
@@ -16,6 +17,10 @@ bool MakeSurface(Pass& pass)
   if (pass.Settings.Ends == EndCaps::HalfSlice && !pass.Result.InsideOut)
   {
     pass.AddEndSlices();
+  }
+  if (!sparse.Any() && !AddBorderSlices(pass))
+  {
+    return false;
   }
   return sparse.Any() ? MakeSparseSurface(sparse, pass)
                       : ConnectContours(pass) && FillCycles(pass.Settings.Patching, pass);

@@ -39,21 +39,25 @@ namespace orthoslices
  *   BuildInnerPatches   smooth patches, or the paper's                           (section 5)
  *   LayOutTriangles     all patches as triangles                                 (section 5)
  *
- * One family of slices can be asked to end half a slice farther (EndCaps): then the stack has copies of
- * its first and last contours from AddEndSlices on, before RegisterCrossings, on virtual planes.
+ * One family of slices can be asked to end half a slice farther (EndCaps): then the stack has
+ * copies of its first and last contours from AddEndSlices on, before RegisterCrossings, on virtual
+ * planes.
  *
- * Where slices are too few (Options::Virtual, SliceDensity), what they make is a first surface only,
- * with triangles no smaller than the next step needs:
+ * Where contours of several families were closed along the border of the image, its sides get
+ * virtual slices likewise (AddBorderSlices), from a surface that goes on beyond it.
+ *
+ * Where slices are too few (Options::Virtual, SliceDensity), what they make is a first surface
+ * only, with triangles no smaller than the next step needs:
  *
  *   MakeVirtualSlices   the fair surface of its topology, cut on virtual planes  (our own)
  *
- * and all stages from RegisterCrossings on run once more, with real and virtual contours. The second
- * surface is the result if it has as many components and handles as the first one; otherwise the
- * first one is, and its cycles are filled again, as Options::Patching says. For a stack with a few
- * slices across, this is tried first with the surface of the stack alone in the place of the first
- * one, bent through the contours of the slices across. Contours on planes of no family
- * (Options::Guides) guide either surface. Repairs and agreement are those of the real
- * slices in any case.
+ * and all stages from RegisterCrossings on run once more, with real and virtual contours. The
+ * second surface is the result if it has as many components and handles as the first one; otherwise
+ * the first one is, and its cycles are filled again, as Options::Patching says. For a stack with a
+ * few slices across, this is tried first with the surface of the stack alone in the place of the
+ * first one, bent through the contours of the slices across. Contours on planes of no family
+ * (Options::Guides) guide either surface. Repairs and agreement are those of the real slices in any
+ * case.
  *
  * Filters/Core/README.md has the data between the stages, the sampling condition, and the arguments
  * for the guarantees, which hold for every input that is not refused:

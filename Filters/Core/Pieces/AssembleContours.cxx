@@ -7,6 +7,8 @@
 #include "Core/Pieces/AssembleSet.h"
 #include "Core/Pieces/MendCurves.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace orthoslices
@@ -49,6 +51,17 @@ Box3 BoxOf(const Contours& contours, const std::vector<OpenCurve>& curves)
   return box;
 }
 
+/// The least and the greatest coordinate of a curve along a direction.
+std::array<double, 2> RangeOf(const OpenCurve& curve, int direction)
+{
+  std::array<double, 2> range{ HUGE_VAL, -HUGE_VAL };
+  for (const Point2& point : curve.Points)
+  {
+    range = { std::min(range[0], point[direction]), std::max(range[1], point[direction]) };
+  }
+  return range;
+}
+
 /// The sides along which contours were closed, of all axes, beyond which there is nothing.
 Box3 FindSides(
   const std::array<ImageBorder, 3>& borders, const std::vector<OpenCurve>& loops, const Box3& reach)
@@ -60,13 +73,15 @@ Box3 FindSides(
     {
       const int axis = direction == 0 ? FirstAxis(loop.Axis) : SecondAxis(loop.Axis);
       const ImageBorder& border = borders[loop.Axis];
-      if (border.IsFound[direction][0] && border.Side[direction][0] <= reach.Low[axis])
+      const auto& [low, high] = border.Side[direction];
+      const auto [least, greatest] = RangeOf(loop, direction);
+      if (border.IsFound[direction][0] && least <= low && low <= reach.Low[axis])
       {
-        sides.Low[axis] = border.Side[direction][0];
+        sides.Low[axis] = low;
       }
-      if (border.IsFound[direction][1] && border.Side[direction][1] >= reach.High[axis])
+      if (border.IsFound[direction][1] && greatest >= high && high >= reach.High[axis])
       {
-        sides.High[axis] = border.Side[direction][1];
+        sides.High[axis] = high;
       }
     }
   }

@@ -50,7 +50,7 @@ EndSlices CopyEndSlices(const Contours& contours, const SpatialGrid& grid, doubl
   const std::vector<double>& planes = grid.Planes[axis];
   const Index last = grid.Count(axis) - 1;
   const double spacing = grid.SpacingAtEnds[axis];
-  const double room = std::max(RoomShare * spacing, RoomSteps * grid.Step[axis]);
+  const double room = RoomBeyondEnd(grid, axis);
   const auto halfOf = [&](Index one, Index other)
   { return 0.5 * (last > 0 ? std::min(planes[other] - planes[one], spacing) : spacing); };
   const auto mayAdd = [&](double distance)
@@ -68,6 +68,11 @@ EndSlices CopyEndSlices(const Contours& contours, const SpatialGrid& grid, doubl
     CopyPlane(contours, last, high - room, ends.Copies);
   }
   return ends;
+}
+
+double RoomBeyondEnd(const SpatialGrid& grid, int axis)
+{
+  return std::max(RoomShare * grid.SpacingAtEnds[axis], RoomSteps * grid.Step[axis]);
 }
 
 void LimitBoundsTo(const Box3& bounds, SpatialGrid& grid)

@@ -74,21 +74,6 @@ std::vector<double> MergePlanes(const std::vector<double>& some, const std::vect
   return planes;
 }
 
-void Append(const PlaneContours& drawn, int axis, double coordinate, Contours& contours)
-{
-  const Index first = static_cast<Index>(contours.U.size());
-  contours.U.insert(contours.U.end(), drawn.U.begin(), drawn.U.end());
-  contours.V.insert(contours.V.end(), drawn.V.begin(), drawn.V.end());
-  for (Index i = 0; i < drawn.Count(); ++i)
-  {
-    contours.Offsets.push_back(first + drawn.Offsets[i + 1]);
-    contours.Axis.push_back(static_cast<std::int8_t>(axis));
-    contours.Coordinate.push_back(coordinate);
-    contours.Cell.push_back(-1);
-    contours.Virtual.push_back(1);
-  }
-}
-
 /// Where points may lie along an axis: patches need room beyond the contours, but must not leave the
 /// bounds of the real ones. Beyond slices that were added at the ends, half of the room there is.
 std::array<double, 2> RangeWithin(const SpatialGrid& grid, int axis)
@@ -145,6 +130,21 @@ Box3 BoxOf(const TriangleSurface& surface)
 }
 }
 
+void AppendSlice(const PlaneContours& drawn, int axis, double coordinate, Contours& contours)
+{
+  const Index first = static_cast<Index>(contours.U.size());
+  contours.U.insert(contours.U.end(), drawn.U.begin(), drawn.U.end());
+  contours.V.insert(contours.V.end(), drawn.V.begin(), drawn.V.end());
+  for (Index i = 0; i < drawn.Count(); ++i)
+  {
+    contours.Offsets.push_back(first + drawn.Offsets[i + 1]);
+    contours.Axis.push_back(static_cast<std::int8_t>(axis));
+    contours.Coordinate.push_back(coordinate);
+    contours.Cell.push_back(-1);
+    contours.Virtual.push_back(1);
+  }
+}
+
 Contours MakeVirtualSlices(
   const FairSource& source, const SliceDensity& density, const Execution& execution)
 {
@@ -184,7 +184,7 @@ Contours MakeVirtualSlices(
       });
     for (std::size_t i = 0; i < slices.size(); ++i)
     {
-      Append(slices[i], axis, planes[axis][i], contours);
+      AppendSlice(slices[i], axis, planes[axis][i], contours);
     }
   }
   return contours;

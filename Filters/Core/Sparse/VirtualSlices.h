@@ -4,6 +4,7 @@
 #define OrthoSlicesVirtualSlices_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Slicing/PlaneContours.h"
 #include "Core/Sparse/GuideCurves.h"
 #include "Core/Sparse/VirtualPlanes.h"
 #include "Core/Surface/LayOutTriangles.h"
@@ -44,6 +45,9 @@ struct FairSource
  */
 Contours MakeVirtualSlices(
   const FairSource& source, const SliceDensity& density, const Execution& execution);
+
+/// Appends the contours of a virtual slice: of Cell -1, with Virtual set, their Plane to be found.
+void AppendSlice(const PlaneContours& drawn, int axis, double coordinate, Contours& contours);
 }
 
 #endif
