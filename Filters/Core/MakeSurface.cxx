@@ -17,20 +17,6 @@ namespace orthoslices
 {
 namespace
 {
-/// Whether the real slices are cuts of one solid: contours meet to within a small part of a spacing.
-bool DoSlicesAgree(const SpatialGrid& grid, const GridCrossings& crossings, const NodePoints& nodes)
-{
-  constexpr double maximum = 0.03;
-  double sum = 0.0;
-  for (const double difference : nodes.Difference)
-  {
-    sum += difference * difference;
-  }
-  const double spacing =
-    std::min({ grid.MeanSpacing(0), grid.MeanSpacing(1), grid.MeanSpacing(2) });
-  return sum <= maximum * maximum * spacing * spacing * CountRealNodes(grid, crossings, nodes);
-}
-
 /// One repair for each patch between real slices that became a shell.
 std::vector<Repair> DescribeShells(const Reconstruction& result)
 {
@@ -101,8 +87,8 @@ bool BuildGraph(Pass& pass)
   result.Graph = BuildNodeGraph(
     { contours, result.Grid, result.Crossings, result.Nodes }, pass.Tables.Tolerance, pass.Execute);
   normals = ComputeNodeNormals(contours, result.Grid, result.Crossings, result.Nodes, pass.Execute);
-  result.Isolated = CopyIsolated(pass.Tables.IsolatedParts, contours, result.Crossings,
-    DoSlicesAgree(result.Grid, result.Crossings, result.Nodes));
+  result.Isolated =
+    CopyIsolated(pass.Tables.IsolatedParts, contours, result.Crossings, DoSlicesAgree(result));
   pass.Finish(Stage::BuildNodeGraph);
   result.Agreement =
     MeasureAgreement(contours, result.Grid, result.Crossings, result.Nodes, normals);
@@ -134,6 +120,21 @@ bool PatchCells(Pass& pass)
   return pass.GoOn(0.7);
 }
 
+}
+
+bool DoSlicesAgree(const Reconstruction& result)
+{
+  constexpr double maximum = 0.03;
+  double sum = 0.0;
+  for (const double difference : result.Nodes.Difference)
+  {
+    sum += difference * difference;
+  }
+  const SpatialGrid& grid = result.Grid;
+  const double spacing =
+    std::min({ grid.MeanSpacing(0), grid.MeanSpacing(1), grid.MeanSpacing(2) });
+  return sum <=
+    maximum * maximum * spacing * spacing * CountRealNodes(grid, result.Crossings, result.Nodes);
 }
 
 bool ConnectContours(Pass& pass)

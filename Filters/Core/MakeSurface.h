@@ -13,6 +13,10 @@ bool ConnectContours(Pass& pass);
 
 /// The inside of the patches, and all triangles (section 5). False: stopped.
 bool FillCycles(const PatchOptions& patching, Pass& pass);
+
+/// Whether the real slices are cuts of one solid: contours meet to within a small part of a spacing.
+/// REQUIRES: node points were found.
+bool DoSlicesAgree(const Reconstruction& result);
 }
 
 #endif

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Reconstruct.h"
 
-#include "Core/Base/EditContours.h"
 #include "Core/BorderCaps.h"
 #include "Core/MakeSurface.h"
 #include "Core/ReadSlices.h"
@@ -12,31 +11,19 @@ namespace orthoslices
 {
 namespace
 {
-/// How dense the slices are; not sparse where virtual ones are not asked for.
-SliceDensity DensityOf(const Pass& pass)
-{
-  const Options& options = pass.Settings;
-  if (options.Virtual == VirtualSlices::Off || pass.Result.InsideOut)
-  {
-    return {};
-  }
-  return { pass.Result.Grid, BoxOf(pass.Tables.Contours),
-    options.Virtual == VirtualSlices::BySpacing ? options.VirtualSpacing : 0.0 };
-}
-
 bool MakeSurface(Pass& pass)
 {
-  const SliceDensity density = DensityOf(pass); // of the slices of the input
+  const SparseSlices sparse(pass); // of the slices of the input
   if (pass.Settings.Ends == EndCaps::HalfSlice && !pass.Result.InsideOut)
   {
     pass.AddEndSlices();
   }
-  if (!density.IsSparse() && !AddBorderSlices(pass))
+  if (!sparse.Any() && !AddBorderSlices(pass))
   {
     return false;
   }
-  return density.IsSparse() ? MakeSparseSurface(density, pass)
-                            : ConnectContours(pass) && FillCycles(pass.Settings.Patching, pass);
+  return sparse.Any() ? MakeSparseSurface(sparse, pass)
+                      : ConnectContours(pass) && FillCycles(pass.Settings.Patching, pass);
 }
 }
 

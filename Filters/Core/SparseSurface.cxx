@@ -2,24 +2,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/SparseSurface.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/MakeSurface.h"
+#include "Core/PredictSlices.h"
 #include "Core/RealSlices.h"
 #include "Core/Slices/EndSlices.h"
+#include "Core/Sparse/FieldSlices.h"
 #include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace orthoslices
 {
 namespace
 {
+/// What the second pass adds to the slices, and what has to come of it.
+struct SecondPass
+{
+  Contours Added; ///< virtual ones
+  PriorKnowledge Known;
+  std::function<bool(const SurfaceTopology&)> IsRight;
+  Box3 Bounds;                       ///< of the surface, besides those of the grid
+  std::vector<std::uint8_t> Guiding; ///< see Reconstruction
+};
+
 /// Runs the passes; see MakeSparseSurface.
 class SparseRunner
 {
 public:
-  SparseRunner(const SliceDensity& density, Pass& first)
-    : Density(density)
+  SparseRunner(const SparseSlices& sparse, Pass& first)
+    : Sparse(sparse)
     , First(first)
     , Drawn(first.Tables.Contours)
   {
@@ -33,9 +47,12 @@ private:
   bool BendStack();
   bool BendAll();
   bool Bend(const Reconstruction& base, GuideCurves&& guides);
+  bool SketchWithoutField(Pass& pass) const;
+  bool FollowField();
+  bool RunAgain(SecondPass&& second);
   bool Stop();
 
-  const SliceDensity& Density;
+  const SparseSlices& Sparse;
   Pass& First;
   Contours Drawn;              ///< as they are before the first pass
   std::vector<double> Centers; ///< the central points of the first surface before its sketch
@@ -52,7 +69,7 @@ bool SparseRunner::Sketch(Pass& pass) const
 {
   PatchOptions patching = pass.Settings.Patching;
   patching.EdgeLength =
-    std::max(patching.EdgeLength, this->Density.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
+    std::max(patching.EdgeLength, this->Sparse.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
   patching.Shared = nullptr;
   return FillCycles(patching, pass);
 }
@@ -68,7 +85,7 @@ bool SparseRunner::FillFirst()
 /// False if there is no stack with slices across, or no surface from it.
 bool SparseRunner::BendStack()
 {
-  const int axis = this->Density.StackAxis();
+  const int axis = this->Sparse.Bending.StackAxis();
   if (axis < 0)
   {
     return false;
@@ -123,6 +140,17 @@ std::vector<std::uint8_t> ListGuiding(const Options& settings, const GuideCurves
   return guiding;
 }
 
+/// A field goes through all of them that have contours.
+std::vector<std::uint8_t> ListGuiding(const Options& settings)
+{
+  std::vector<std::uint8_t> guiding;
+  for (std::size_t i = 0; settings.Guides != nullptr && i < settings.Guides->size(); ++i)
+  {
+    guiding.push_back((*settings.Guides)[i].Loops.empty() ? 0 : 1);
+  }
+  return guiding;
+}
+
 /// What a second surface has to come out as. Components that were too small are drawn nevertheless,
 /// and must not be joined to others instead.
 PriorKnowledge TopologyOf(const Reconstruction& base)
@@ -169,16 +197,11 @@ Box3 FlatEndsOf(const Reconstruction& base)
   return bounds;
 }
 
-/// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
-/// there are none, or if the topology comes out another than that of `base`.
-bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
+/// Makes the surface of real and virtual slices, and takes it if its topology is right.
+bool SparseRunner::RunAgain(SecondPass&& second)
 {
   Reconstruction& first = this->First.Result;
-  Execution execution = this->First.Execute;
-  execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
-  const Contours added = MakeVirtualSlices(
-    { GeometryOf(base), base.Surface, first.Grid, guides }, this->Density, execution);
-  if (first.Stopped || added.Count() == 0)
+  if (first.Stopped || second.Added.Count() == 0)
   {
     return false;
   }
@@ -186,26 +209,90 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
   const std::vector<Index> leftOut = FindLeftOut(first.Isolated, parts);
   Contours contours = this->Drawn;
   RemoveContours(leftOut, parts, contours);
-  AddVirtual(added, contours);
+  AddVirtual(second.Added, contours);
   Pass again(this->First, std::move(contours));
-  if (guides.Slices.empty())
-  {
-    LimitBoundsTo(FlatEndsOf(base), again.Result.Grid);
-  }
-  again.Settings.Known = TopologyOf(base);
+  LimitBoundsTo(second.Bounds, again.Result.Grid);
+  again.Settings.Known = second.Known;
   again.SetShare(0.48, 0.88); // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole
   if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
   {
     return this->Stop();
   }
-  if (!(again.Result.Topology == base.Topology))
+  if (!second.IsRight(again.Result.Topology))
   {
     return false;
   }
   TakeReport(first, leftOut, again.Result);
-  again.Result.Guiding = ListGuiding(this->First.Settings, guides);
+  again.Result.Guiding = std::move(second.Guiding);
   first = std::move(again.Result);
   return true;
+}
+
+/// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
+/// there are none, or if the topology comes out another than that of `base`.
+bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
+{
+  Execution execution = this->First.Execute;
+  execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
+  const Contours added =
+    MakeVirtualSlices({ GeometryOf(base), base.Surface, this->First.Result.Grid, guides },
+      this->Sparse.Bending, execution);
+  const SurfaceTopology wanted = base.Topology;
+  return this->RunAgain(
+    { added, TopologyOf(base), [&](const SurfaceTopology& found) { return found == wanted; },
+      guides.Slices.empty() ? FlatEndsOf(base) : Everywhere(),
+      ListGuiding(this->First.Settings, guides) });
+}
+
+/// The surface of some of the contours that there would be if there were no field.
+bool SparseRunner::SketchWithoutField(Pass& pass) const
+{
+  SparseSlices sparse(pass);
+  sparse.Field = {};
+  sparse.Bending.Coarsen();
+  if (!sparse.Any())
+  {
+    return ConnectContours(pass) && this->Sketch(pass);
+  }
+  double& edge = pass.Settings.Patching.EdgeLength;
+  edge = std::max(edge, sparse.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
+  return SparseRunner(sparse, pass).Run();
+}
+
+/// Makes the surface anew, with virtual slices of a field through all contours. That decides what the
+/// contours leave open, but not against them: what the first surface joins stays joined, and tunnels come
+/// in only where slices agree, and if the field foretells them as well. False if what there is without
+/// a field foretells slices better.
+bool SparseRunner::FollowField()
+{
+  constexpr double asGood = 0.95;
+  // A surface that was bent is as smooth as a field; patches within cells are not.
+  const double enough = this->Sparse.Bending.IsSparse() ? 1.05 : 0.75;
+  const Pass& first = this->First;
+  const std::vector<WorldLoop> loops = ListLoops(this->Drawn, first);
+  const double step = SampleStep(loops, this->Sparse.EdgeLength());
+  const double patchesByField = ComparePredictions(
+    this->Drawn, first, step, [this](Pass& pass) { return this->SketchWithoutField(pass); });
+  if (patchesByField < enough || !this->First.GoOn(0.5))
+  {
+    return false;
+  }
+  const SliceField field(SampleLoops(loops, step), first.Execute);
+  if (!field.IsSolved() || !this->First.GoOn(0.8))
+  {
+    return false;
+  }
+  const Contours added = CutField(field, first.Result.Grid, this->Sparse.Field, first.Execute);
+  const PriorKnowledge known{ TopologyOf(first.Result).Components, -1 };
+  const Index genus = first.Result.Topology.Genus;
+  const bool doAgree = DoSlicesAgree(first.Result);
+  const auto isRight = [&](const SurfaceTopology& found)
+  {
+    return found.Components <= known.Components &&
+      (found.Genus <= genus || (doAgree && patchesByField >= asGood));
+  };
+  return this->First.GoOn(1.0) &&
+    this->RunAgain({ added, known, isRight, Everywhere(), ListGuiding(first.Settings) });
 }
 
 bool SparseRunner::Run()
@@ -223,13 +310,28 @@ bool SparseRunner::Run()
   }
   this->First.SetShare(0.5, 0.66);
   const Reconstruction& result = this->First.Result;
-  const bool isDone = this->BendStack() || (!result.Stopped && this->BendAll());
+  const bool isDone = (this->Sparse.Field.IsSparse() && this->FollowField()) ||
+    (!result.Stopped && this->Sparse.Bending.IsSparse() &&
+      (this->BendStack() || (!result.Stopped && this->BendAll())));
   return !result.Stopped && (isDone || this->FillFirst());
 }
 }
 
-bool MakeSparseSurface(const SliceDensity& density, Pass& pass)
+SparseSlices::SparseSlices(const Pass& pass)
 {
-  return SparseRunner(density, pass).Run();
+  const Options& options = pass.Settings;
+  if (options.Virtual == VirtualSlices::Off || pass.Result.InsideOut)
+  {
+    return;
+  }
+  const double spacing = options.Virtual == VirtualSlices::BySpacing ? options.VirtualSpacing : 0.0;
+  const Box3 box = BoxOf(pass.Tables.Contours);
+  this->Bending = { pass.Result.Grid, box, spacing };
+  this->Field = { pass.Result.Grid, box, spacing, SparseRule::Field };
+}
+
+bool MakeSparseSurface(const SparseSlices& sparse, Pass& pass)
+{
+  return SparseRunner(sparse, pass).Run();
 }
 }

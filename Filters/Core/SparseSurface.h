@@ -6,21 +6,41 @@
 #include "Core/Pass.h"
 #include "Core/Sparse/VirtualPlanes.h"
 
+#include <algorithm>
+
 namespace orthoslices
 {
+/// Where the slices of a pass are too few for the patches of their cells alone, for either way of
+/// filling the gaps; nowhere if virtual slices are not wanted.
+struct SparseSlices
+{
+  explicit SparseSlices(const Pass& pass);
+  bool Any() const { return this->Bending.IsSparse() || this->Field.IsSparse(); }
+  double EdgeLength() const
+  {
+    return std::max(this->Bending.EdgeLength(), this->Field.EdgeLength());
+  }
+
+  SliceDensity Bending, Field;
+};
+
 /**
- * From contours of too few slices to a surface, in two passes: the first surface, of the real slices,
- * has the topology that the evidence decides; it bends from one slice to the next as little as it can,
- * and is cut on planes between them; from the real and these virtual slices the surface is made once
- * more. If that has another topology than what was bent, the first surface is the result.
+ * From contours of too few slices to a surface, in two passes. The first surface, of the real slices,
+ * has the topology that the evidence decides. Planes between the slices are then cut from something
+ * that goes on smoothly from one to the next, and from the real and these virtual slices the surface
+ * is made once more.
  *
- * Of a stack with a few slices across, the surface of the stack alone is bent first, through the
- * contours of the slices across: how the object hangs together, the stack says better than cells that
- * are far longer than wide.
+ * - A few slices of several families: from a field through all contours, if it foretells slices about
+ *   as well as patches within cells do. It may not part what the first surface joins.
+ * - A dense family or two, the others missing or with a few slices: from the first surface, which is
+ *   bent as little as it can. Of a stack with a few slices across, the surface of the stack alone is
+ *   bent, through the contours of the slices across: how the object hangs together, the stack says
+ *   better than cells that are far longer than wide. If the second surface has another topology than
+ *   what was bent, the first surface is the result.
  *
- * REQUIRES: density.IsSparse(), of the contours of the pass. False: stopped.
+ * REQUIRES: sparse.Any(), of the contours of the pass. False: stopped.
  */
-bool MakeSparseSurface(const SliceDensity& density, Pass& pass);
+bool MakeSparseSurface(const SparseSlices& sparse, Pass& pass);
 }
 
 #endif

@@ -13,35 +13,6 @@ namespace orthoslices
 {
 namespace
 {
-std::vector<Point3> ListPoints(const NodeGraph& graph, const Patches& patches)
-{
-  std::vector<Point3> points;
-  const auto append = [&](const std::vector<double>& values)
-  {
-    for (std::size_t i = 0; i + 2 < values.size(); i += 3)
-    {
-      points.push_back({ values[i], values[i + 1], values[i + 2] });
-    }
-  };
-  append(graph.Points);
-  append(patches.CentralPoints);
-  append(ListOtherPoints(patches));
-  return points;
-}
-
-std::vector<std::array<Index, 3>> ListTriangles(
-  const CycleGeometry& geometry, const Patches& patches, const Execution& execution)
-{
-  std::vector<std::int32_t> ids(3 * static_cast<std::size_t>(patches.TriangleCount()));
-  WriteTriangles(patches, geometry, execution, ids.data());
-  std::vector<std::array<Index, 3>> triangles(ids.size() / 3);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    triangles[t] = { ids[3 * t], ids[3 * t + 1], ids[3 * t + 2] };
-  }
-  return triangles;
-}
-
 /// Where points of a cell may go: as far as guides show, or half a spacing beyond the contours.
 Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const Box3& guides,
   const std::array<Index, 3>& cell)
@@ -208,11 +179,34 @@ void SplitEdge(Index corner, double share, SurfaceMesh& mesh)
   mesh.Corners.Split(corner);
 }
 
+SurfaceTriangles ListTriangles(
+  const CycleGeometry& geometry, const Patches& patches, const Execution& execution)
+{
+  SurfaceTriangles result;
+  const auto append = [&](const std::vector<double>& values)
+  {
+    for (std::size_t i = 0; i + 2 < values.size(); i += 3)
+    {
+      result.Points.push_back({ values[i], values[i + 1], values[i + 2] });
+    }
+  };
+  append(geometry.Graph.Points);
+  append(patches.CentralPoints);
+  append(ListOtherPoints(patches));
+  std::vector<std::int32_t> ids(3 * static_cast<std::size_t>(patches.TriangleCount()));
+  WriteTriangles(patches, geometry, execution, ids.data());
+  for (std::size_t t = 0; t < ids.size(); t += 3)
+  {
+    result.Triangles.push_back({ ids[t], ids[t + 1], ids[t + 2] });
+  }
+  return result;
+}
+
 SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patches,
   GuideCurves& guides, const Execution& execution)
 {
-  DraftMesh draft{ ListPoints(geometry.Graph, patches), ListTriangles(geometry, patches, execution),
-    {} };
+  SurfaceTriangles all = ListTriangles(geometry, patches, execution);
+  DraftMesh draft{ std::move(all.Points), std::move(all.Triangles), {} };
   const std::size_t given = draft.Points.size();
   const Index cycles = geometry.Cycles.Count();
   draft.Patch.resize(draft.Triangles.size());

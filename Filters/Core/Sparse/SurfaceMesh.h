@@ -86,6 +86,17 @@ struct SurfaceMesh
 /// the point is fixed; it is on a crease if both ends are.
 void SplitEdge(Index corner, double share, SurfaceMesh& mesh);
 
+/// Triangles of points that they may share.
+struct SurfaceTriangles
+{
+  std::vector<Point3> Points;
+  std::vector<std::array<Index, 3>> Triangles; ///< counter-clockwise seen from outside
+};
+
+/// REQUIRES: the patches are laid out as triangles.
+SurfaceTriangles ListTriangles(
+  const CycleGeometry& geometry, const Patches& patches, const Execution& execution);
+
 /**
  * The surface of `patches` with the arcs and loops of G as curves, whose points are fixed. Cells
  * that are not bounded by planes end half a mean spacing beyond the contours and the guides, an

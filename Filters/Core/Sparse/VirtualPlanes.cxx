@@ -14,6 +14,8 @@ namespace
 constexpr double FewPlanes = 12.0;
 /// More virtual planes than this on one axis cost more than they show.
 constexpr double ManyPlanes = 64.0;
+/// A stack of so many slices and a few across is no longer few.
+constexpr double FewInStack = 17.0;
 /// And a spacing that was given gets no more than so many.
 constexpr double MostPlanes = 1024.0;
 /// A slab is divided if its halves are not much narrower than wanted.
@@ -61,28 +63,43 @@ int FindStack(const SpatialGrid& grid)
   return -1;
 }
 
+Index CountFamilies(const SpatialGrid& grid)
+{
+  return (grid.Count(0) > 0 ? 1 : 0) + (grid.Count(1) > 0 ? 1 : 0) + (grid.Count(2) > 0 ? 1 : 0);
+}
+
+/// Whether there are several families, none with as many slices as show a shape, or a stack of not
+/// many more with a few across. Stacks of fewer are left to the slices across.
+bool HasFewOfAll(const SpatialGrid& grid)
+{
+  const Index most = std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
+  return CountFamilies(grid) > 1 &&
+    (FindStack(grid) < 0 ? most < FewPlanes : most >= EnoughPlanes && most < FewInStack);
+}
+
 /// Whether families are missing, or have few slices, and the others carry a surface across.
 bool NeedsMore(const SpatialGrid& grid)
 {
   const auto [least, most] = std::minmax({ grid.Count(0), grid.Count(1), grid.Count(2) });
   Index fewest = most;
-  int families = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     fewest = grid.Count(axis) > 0 ? std::min(fewest, grid.Count(axis)) : fewest;
-    families += grid.Count(axis) > 0 ? 1 : 0;
   }
-  const bool isStack = families == 1 || most >= FewAgainstMany * fewest;
-  return isStack ? families == 1 || most >= EnoughPlanes || FindStack(grid) >= 0 : least == 0;
+  const bool isAlone = CountFamilies(grid) == 1;
+  const bool isStack = isAlone || most >= FewAgainstMany * fewest;
+  return isStack ? isAlone || most >= EnoughPlanes || FindStack(grid) >= 0 : least == 0;
 }
 }
 
-SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double spacing)
+SliceDensity::SliceDensity(
+  const SpatialGrid& grid, const Box3& contours, double spacing, SparseRule rule)
   : Wide{ Infinity, Infinity, Infinity }
 {
   const Point3 extent = contours.High - contours.Low;
   this->Longest = static_cast<int>(std::max_element(extent.begin(), extent.end()) - extent.begin());
-  if (!(spacing > 0.0) && !NeedsMore(grid))
+  const bool ofField = rule == SparseRule::Field;
+  if (ofField ? !HasFewOfAll(grid) : !(spacing > 0.0) && !NeedsMore(grid))
   {
     return;
   }
@@ -95,10 +112,13 @@ SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double
     this->Target[axis] = spacing > 0.0
       ? given
       : std::clamp(densest, extent[axis] / ManyPlanes, extent[axis] / FewPlanes);
-    if (spacing > 0.0 || grid.Count(axis) * FewAgainstMany <= most)
+    if (spacing > 0.0 || ofField)
     {
-      this->Wide[axis] =
-        WideSlab * (spacing > 0.0 ? given : std::max(densest, extent[axis] / FewPlanes));
+      this->Wide[axis] = WideSlab * this->Target[axis];
+    }
+    else if (grid.Count(axis) * FewAgainstMany <= most)
+    {
+      this->Wide[axis] = WideSlab * std::max(densest, extent[axis] / FewPlanes);
     }
     const auto& planes = grid.Planes[axis];
     this->Sparse |= planes.empty();
@@ -108,6 +128,15 @@ SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double
       const double high = i < planes.size() ? planes[i] : contours.High[axis];
       this->Sparse |= this->CountParts(axis, high - low) > 1;
     }
+  }
+}
+
+void SliceDensity::Coarsen()
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Target[axis] *= 2.0;
+    this->Wide[axis] = std::max(this->Wide[axis], WideSlab * this->Target[axis]);
   }
 }
 

@@ -13,6 +13,14 @@ namespace orthoslices
 /// Planes on which nobody has drawn, of each axis, ascending.
 using VirtualPlanes = std::array<std::vector<double>, 3>;
 
+/// What shows the shape between slices: a surface that bends from one to the next, or a field through
+/// all of them (SliceField).
+enum class SparseRule : std::uint8_t
+{
+  Bending,
+  Field
+};
+
 /**
  * Where slices are too few for the cells between them to be small against the shape, and how far
  * apart planes have to be there (our own rules). Extents are those of the box of all contours.
@@ -28,9 +36,12 @@ using VirtualPlanes = std::array<std::vector<double>, 3>;
  *   across of one family, one or two, or at most a third as many: these show how the object goes on
  *   and ends. With slices across of two families, a stack takes eight.
  *
+ * A field takes several families of fewer than a dozen slices each, or a stack of 8 to 16 with a few
+ * across; then all axes are sparse in slabs that are wider than 1.4 times what planes are to be apart.
+ *
  * In sparse slabs, planes are to be as far apart as those of the densest axis, but at most a twelfth
  * and at least a 64th of the extent of their own axis, so that a fine stack does not multiply the
- * triangles by itself. `spacing` > 0, in world units, takes the place of all these rules: then an
+ * triangles by itself. `spacing` > 0, in world units, takes the place of these rules for bending, and of this distance: then an
  * axis without planes is sparse, and so is each slab that is wider than 1.4 times `spacing`.
  *
  * REQUIRES: the grid has planes.
@@ -39,7 +50,11 @@ class SliceDensity
 {
 public:
   SliceDensity() = default; ///< of slices that are not sparse anywhere
-  SliceDensity(const SpatialGrid& grid, const Box3& contours, double spacing = 0.0);
+  SliceDensity(const SpatialGrid& grid, const Box3& contours, double spacing = 0.0,
+    SparseRule rule = SparseRule::Bending);
+
+  /// Planes half as many, for a surface that need not be as exact.
+  void Coarsen();
 
   /// The axis of a stack of five slices and more that has a few across; -1 if this is none.
   int StackAxis() const { return this->Stack; }
@@ -57,7 +72,7 @@ public:
 
 private:
   Point3 Target{};
-  Point3 Wide; ///< slabs up to that width stay as they are
+  Point3 Wide{}; ///< slabs up to that width stay as they are
   int Longest = 0;
   int Stack = -1;
   bool Sparse = false;
