@@ -225,6 +225,7 @@ namespace orthoslices
 {
 struct ContourLabels;
 struct FrameOptions;
+struct LabelSurfaces;
 struct Options;
 struct Polylines;
 struct Reconstruction;
@@ -772,19 +773,17 @@ private:
   void GetOptions(orthoslices::Options& options) const;
   orthoslices::ContourLabels ReadLabels(
     vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
-  enum class Outcome
-  {
-    Done,
-    Stopped,
-    Failed
-  };
-  Outcome Reconstruct(orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
-    const std::function<vtkInformationVector*()>& outputs, std::string& text);
+  bool WriteResult(orthoslices::Reconstruction&& result, const orthoslices::Polylines& others,
+    const orthoslices::Options& options, const std::function<vtkInformationVector*()>& outputs,
+    std::string& text);
   bool ReconstructAll(orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
     vtkInformationVector* outputs);
   bool ReconstructLabels(orthoslices::SortedSlices&& sorted,
     const orthoslices::ContourLabels& labels, const orthoslices::Options& options,
     vtkInformationVector* outputs);
+  bool WriteLabels(orthoslices::LabelSurfaces&& surfaces,
+    const std::vector<orthoslices::Polylines>& others, const orthoslices::ContourLabels& labels,
+    const orthoslices::Options& options, vtkInformationVector* outputs);
   bool UsesLabels() const { return !this->LabelArray.empty() && this->LabelArray != "None"; }
   std::string DescribeFailure(const orthoslices::Reconstruction& result) const;
   std::string Report(orthoslices::Reconstruction& result) const;

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesCellOfStructures_h
+#define OrthoSlicesCellOfStructures_h
+
+#include "Core/Labels/CommonCells.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/// A cycle of one of several structures.
+struct StructureCycle
+{
+  Index Structure;
+  Index Cycle;
+};
+
+/// A cycle that becomes a fan around a point that several structures have in common.
+struct CommonFan
+{
+  StructureCycle Cycle;
+  Point3 Center;
+};
+
+struct SettledCell
+{
+  std::vector<CommonFan> Fans; ///< in place of the patches of these cycles
+  bool IsSettled = true;       ///< no patches of the cell touch each other now
+};
+
+/// Settles one cell, whose cycles of all structures are given; see SettleCommonCells. `meshOf` has, for
+/// each structure, the number of each cycle's mesh in its Patches, or -1.
+SettledCell SettleCell(const std::vector<StructureSurface>& structures,
+  const std::vector<std::vector<Index>>& meshOf, const std::vector<StructureCycle>& cycles);
+}
+
+#endif
