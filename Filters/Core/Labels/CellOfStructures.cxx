@@ -3,7 +3,10 @@
 #include "Core/Labels/CellOfStructures.h"
 
 #include "Core/Base/DisjointSets.h"
+#include "Core/Base/Vectors.h"
 #include "Core/Cells/FindContacts.h"
+#include "Core/Labels/CommonPoint.h"
+#include "Core/Labels/SheetPatch.h"
 
 #include <algorithm>
 #include <map>
@@ -25,9 +28,9 @@ struct CellPatch
   const PatchMesh* Mesh = nullptr;    ///< if it is one
   Point3 Center;                      ///< of the fan that it is, or of one in its place
   std::vector<PatchTriangle> Triangles;
-  bool IsOneCycle = true;   ///< else it cannot become a fan
+  InnerPatch New;           ///< in its place, if it has points
+  bool IsOneCycle = true;   ///< else nothing can take its place
   bool IsAmbiguous = false; ///< its owners have other triangles
-  bool IsChanged = false;   ///< it has become a fan around a common point
 
   template <typename Visit>
   void VisitSides(Visit&& visit) const
@@ -43,6 +46,17 @@ struct CellPatch
   }
 };
 
+/// How the patches of a group are made: each form makes less of their shape and more sure of it than
+/// the one before.
+enum class GroupForm : std::uint8_t
+{
+  Own,    ///< as their structures have them; of one patch only
+  Fan,    ///< a fan around a point of its own; of one patch only
+  Sheets, ///< divided by the curves in which structures meet
+  Common, ///< fans around one point
+  Stuck   ///< they may touch
+};
+
 class CellSettler
 {
 public:
@@ -50,6 +64,7 @@ public:
     const std::vector<std::vector<Index>>& meshOf)
     : Structures(structures)
     , MeshOf(meshOf)
+    , Groups(0)
   {
   }
 
@@ -57,19 +72,33 @@ public:
 
 private:
   using Edge = std::pair<Index, Index>; ///< a side of a border, its lesser end first
+  using Group = std::vector<Index>;     ///< of patches, ascending
 
   void AddCycle(const StructureCycle& cycle);
   void AddTriangles(const StructureCycle& cycle, CellPatch& patch);
   void NumberCorners(Index number, std::vector<PatchTriangle>& triangles);
   Index NumberOf(const Point3& point);
+  std::vector<Index> BorderOf(const StructureCycle& cycle);
   void CountEdges();
-  void JoinPartsInCommon(DisjointSets& groups) const;
-  bool JoinContacts(DisjointSets& groups);
-  bool FormFans(DisjointSets& groups);
-  bool CanBeFans(const std::vector<Index>& group) const;
-  void FindPartingPoints(const CellPatch& patch, std::set<Index>& points) const;
-  Point3 CommonPoint(const std::vector<Index>& group) const;
-  void BecomeFan(const Point3& center, Index number);
+  void FormGroups();
+  Group MembersOf(Index patch);
+  bool IsPartingPoint(const CellPatch& patch, std::size_t i) const;
+  std::vector<Index> PartingPoints(const CellPatch& patch) const;
+
+  std::vector<std::pair<Index, Index>> FindAllContacts() const;
+  bool Separate(Index a, Index b);
+  bool Demote(Index patch);
+  bool BecomeFan(Index patch);
+  bool BecomeSheets(const Group& group);
+  bool BecomeCommon(const Group& group);
+  bool CanBeCommon(const Group& group) const;
+  std::vector<JunctionCurve> FindCurves(const Group& group) const;
+  Point3 MiddleOf(const Group& group, Index first, Index last) const;
+  std::vector<BorderSide> SidesOf(Index patch) const;
+  std::vector<BorderSide> SidesOfRest(Index a, Index b) const;
+  Point3 MoveInside(const Group& group, Point3 point) const;
+  Point3 FanCenter(const Group& group) const;
+  void Take(Index number, InnerPatch&& patch);
 
   static Edge EdgeOf(Index a, Index b) { return std::minmax(a, b); }
 
@@ -80,7 +109,8 @@ private:
   std::map<std::vector<Index>, Index> ByBorder;
   std::vector<CellPatch> AllPatches;
   std::map<Edge, Index> EdgeCounts; ///< how many patches have a side
-  int Within = 0;
+  DisjointSets Groups;              ///< of patches
+  std::vector<GroupForm> Forms;     ///< of each group, at its least patch
 };
 
 Index CellSettler::NumberOf(const Point3& point)
@@ -158,6 +188,39 @@ void CellSettler::NumberCorners(Index number, std::vector<PatchTriangle>& triang
   }
 }
 
+/// Where a fan in the place of a patch has its center: the middle of what is inside the patch.
+Point3 CenterOf(const CellPatch& patch)
+{
+  std::set<Point3> inner;
+  for (const PatchTriangle& triangle : patch.Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      if (triangle.Ids[i] < 0)
+      {
+        inner.insert(triangle.Corners[i]);
+      }
+    }
+  }
+  Point3 center{ 0.0, 0.0, 0.0 };
+  for (const Point3& point : inner)
+  {
+    center = center + (1.0 / static_cast<double>(inner.size())) * point;
+  }
+  return inner.empty() ? patch.Center : center;
+}
+
+std::vector<Index> CellSettler::BorderOf(const StructureCycle& cycle)
+{
+  const CycleGeometry& geometry = this->Structures[cycle.Structure].Geometry;
+  std::vector<Index> border;
+  for (const Index point : geometry.GetBorders({ cycle.Cycle }))
+  {
+    border.push_back(this->NumberOf(geometry.Graph.PointAt(point)));
+  }
+  return border;
+}
+
 /// Adds the patch of a cycle, or another owner of one that was added before.
 void CellSettler::AddCycle(const StructureCycle& cycle)
 {
@@ -178,13 +241,12 @@ void CellSettler::AddCycle(const StructureCycle& cycle)
   for (const Index member : cycles)
   {
     patch.Offsets.push_back(static_cast<Index>(patch.Border.size()));
-    for (const Index point : structure.Geometry.GetBorders({ member }))
-    {
-      patch.Border.push_back(this->NumberOf(structure.Geometry.Graph.PointAt(point)));
-    }
+    const std::vector<Index> border = this->BorderOf({ cycle.Structure, member });
+    patch.Border.insert(patch.Border.end(), border.begin(), border.end());
   }
   patch.Offsets.push_back(static_cast<Index>(patch.Border.size()));
   this->AddTriangles(cycle, patch);
+  patch.Center = CenterOf(patch);
   const Index number = static_cast<Index>(this->AllPatches.size());
   if (patch.IsOneCycle)
   {
@@ -209,9 +271,11 @@ void CellSettler::CountEdges()
   }
 }
 
-/// Joins patches whose borders have a side in common.
-void CellSettler::JoinPartsInCommon(DisjointSets& groups) const
+/// Patches whose borders have a side in common are one group.
+void CellSettler::FormGroups()
 {
+  this->Groups = DisjointSets(static_cast<Index>(this->AllPatches.size()));
+  this->Forms.assign(this->AllPatches.size(), GroupForm::Own);
   std::map<Edge, Index> first;
   for (std::size_t i = 0; i < this->AllPatches.size(); ++i)
   {
@@ -219,80 +283,172 @@ void CellSettler::JoinPartsInCommon(DisjointSets& groups) const
       [&](Index a, Index b)
       {
         const auto found = first.emplace(EdgeOf(a, b), static_cast<Index>(i)).first;
-        groups.Unite(found->second, static_cast<Index>(i));
+        this->Groups.Unite(found->second, static_cast<Index>(i));
       });
   }
+  for (Index i = 0; i < this->Groups.Count(); ++i)
+  {
+    if (this->Groups.Find(i) != i)
+    {
+      continue;
+    }
+    const Group group = this->MembersOf(i);
+    if (group.size() > 1)
+    {
+      this->Forms[i] = this->BecomeSheets(group) ? GroupForm::Sheets
+        : this->BecomeCommon(group)              ? GroupForm::Common
+                                                 : GroupForm::Stuck;
+    }
+    else if (this->AllPatches[i].IsAmbiguous)
+    {
+      this->Forms[i] = this->BecomeFan(i) ? GroupForm::Fan : GroupForm::Stuck;
+    }
+  }
 }
 
-/// Joins patches that touch, unless they are fans around one point. False if there are none.
-bool CellSettler::JoinContacts(DisjointSets& groups)
+CellSettler::Group CellSettler::MembersOf(Index patch)
+{
+  Group group;
+  for (Index i = 0; i < this->Groups.Count(); ++i)
+  {
+    if (this->Groups.Find(i) == this->Groups.Find(patch))
+    {
+      group.push_back(i);
+    }
+  }
+  return group;
+}
+
+/// Patches that touch. Triangles that several patches have count once.
+std::vector<std::pair<Index, Index>> CellSettler::FindAllContacts() const
 {
   std::vector<PatchTriangle> triangles;
+  std::set<std::array<Index, 3>> known;
   for (const CellPatch& patch : this->AllPatches)
   {
-    triangles.insert(triangles.end(), patch.Triangles.begin(), patch.Triangles.end());
-  }
-  const std::vector<PatchKind> kinds(this->AllPatches.size(), PatchKind::Fan);
-  bool joined = false;
-  for (const auto& [a, b] : FindContacts(triangles, kinds))
-  {
-    if (getenv("LBDEBUG") && groups.Find(a) == groups.Find(b)) ++this->Within;
-    joined |= groups.Unite(a, b);
-  }
-  return joined;
-}
-
-/// Whether no structure has two of the patches, or one of several cycles.
-bool CellSettler::CanBeFans(const std::vector<Index>& group) const
-{
-  std::set<Index> structures;
-  for (const Index patch : group)
-  {
-    for (const StructureCycle& owner : this->AllPatches[patch].Owners)
+    for (const PatchTriangle& triangle : patch.Triangles)
     {
-      if (!this->AllPatches[patch].IsOneCycle || !structures.insert(owner.Structure).second)
+      std::array<Index, 3> ids = triangle.Ids;
+      std::sort(ids.begin(), ids.end());
+      if (known.insert(ids).second)
       {
-        return false;
+        triangles.push_back(triangle);
       }
     }
   }
-  return true;
+  const std::vector<PatchKind> kinds(this->AllPatches.size(), PatchKind::Fan);
+  return FindContacts(triangles, kinds);
 }
 
-/// The points at which the border of a patch begins or ends to be that of another one, too.
-void CellSettler::FindPartingPoints(const CellPatch& patch, std::set<Index>& points) const
+/// Whether the border begins or ends at one of its points to be that of another patch, too.
+bool CellSettler::IsPartingPoint(const CellPatch& patch, std::size_t i) const
 {
   const std::size_t size = patch.Border.size();
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    const Index point = patch.Border[i];
-    const Index before = patch.Border[(i + size - 1) % size], after = patch.Border[(i + 1) % size];
-    if (this->EdgeCounts.at(EdgeOf(before, point)) != this->EdgeCounts.at(EdgeOf(point, after)))
-    {
-      points.insert(point);
-    }
-  }
+  const Index before = patch.Border[(i + size - 1) % size], after = patch.Border[(i + 1) % size];
+  return this->EdgeCounts.at(EdgeOf(before, patch.Border[i])) !=
+    this->EdgeCounts.at(EdgeOf(patch.Border[i], after));
 }
 
-/// The point around which a group of patches become fans.
-Point3 CellSettler::CommonPoint(const std::vector<Index>& group) const
+/// REQUIRES: a patch of one cycle.
+std::vector<Index> CellSettler::PartingPoints(const CellPatch& patch) const
 {
-  std::set<Index> parting;
-  Point3 centers{ 0.0, 0.0, 0.0 };
-  for (const Index patch : group)
+  std::vector<Index> points;
+  for (std::size_t i = 0; i < patch.Border.size(); ++i)
   {
-    this->FindPartingPoints(this->AllPatches[patch], parting);
-    centers = centers + (1.0 / group.size()) * this->AllPatches[patch].Center;
-  }
-  Point3 point = centers;
-  if (parting.size() >= 2)
-  {
-    point = { 0.0, 0.0, 0.0 };
-    for (const Index i : parting)
+    if (this->IsPartingPoint(patch, i))
     {
-      point = point + (1.0 / parting.size()) * this->Places[i];
+      points.push_back(patch.Border[i]);
     }
   }
+  return points;
+}
+
+/// A patch that parts from others twice ends there on a curve from one of these points to the other.
+std::vector<JunctionCurve> CellSettler::FindCurves(const Group& group) const
+{
+  std::map<Edge, JunctionCurve> curves;
+  for (const Index patch : group)
+  {
+    const std::vector<Index> ends = this->PartingPoints(this->AllPatches[patch]);
+    if (ends.size() == 2 && curves.count(EdgeOf(ends[0], ends[1])) == 0)
+    {
+      const Edge edge = EdgeOf(ends[0], ends[1]);
+      curves[edge] = { edge.first, edge.second, this->MiddleOf(group, edge.first, edge.second) };
+    }
+  }
+  std::vector<JunctionCurve> list;
+  for (const auto& curve : curves)
+  {
+    list.push_back(curve.second);
+  }
+  return list;
+}
+
+std::vector<BorderSide> CellSettler::SidesOf(Index patch) const
+{
+  std::vector<BorderSide> sides;
+  this->AllPatches[patch].VisitSides(
+    [&](Index a, Index b) { sides.push_back({ this->Places[a], this->Places[b] }); });
+  return sides;
+}
+
+/// The border of what two patches cover without what both of them do.
+std::vector<BorderSide> CellSettler::SidesOfRest(Index a, Index b) const
+{
+  std::map<Edge, bool> sidesOfB; // whether they run from the lesser end
+  this->AllPatches[b].VisitSides(
+    [&](Index p, Index q) { sidesOfB[EdgeOf(p, q)] = p < q; });
+  std::vector<BorderSide> sides;
+  Index alike = 0, opposite = 0;
+  this->AllPatches[a].VisitSides(
+    [&](Index p, Index q)
+    {
+      const auto found = sidesOfB.find(EdgeOf(p, q));
+      if (found == sidesOfB.end())
+      {
+        sides.push_back({ this->Places[p], this->Places[q] });
+        return;
+      }
+      ++(found->second == (p < q) ? alike : opposite);
+      sidesOfB.erase(found);
+    });
+  for (const auto& [edge, ascends] : sidesOfB)
+  {
+    const bool forward = ascends != (alike > opposite);
+    const Point3 &p = this->Places[edge.first], &q = this->Places[edge.second];
+    sides.push_back(forward ? BorderSide{ p, q } : BorderSide{ q, p });
+  }
+  return sides;
+}
+
+/// Where the curve from one parting point to another passes, by the patches that part at both.
+Point3 CellSettler::MiddleOf(const Group& group, Index first, Index last) const
+{
+  Group members;
+  std::vector<std::vector<BorderSide>> surfaces;
+  for (const Index patch : group)
+  {
+    const std::vector<Index> ends = this->PartingPoints(this->AllPatches[patch]);
+    if (ends.size() == 2 && EdgeOf(ends[0], ends[1]) == EdgeOf(first, last))
+    {
+      members.push_back(patch);
+      surfaces.push_back(this->SidesOf(patch));
+    }
+  }
+  for (std::size_t i = 0; i < members.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < members.size(); ++j)
+    {
+      surfaces.push_back(this->SidesOfRest(members[i], members[j]));
+    }
+  }
+  return this->MoveInside(
+    group, FindCommonPoint(this->Places[first], this->Places[last], surfaces));
+}
+
+/// A place for a point that all patches of a group have in common.
+Point3 CellSettler::MoveInside(const Group& group, Point3 point) const
+{
   for (const Index patch : group)
   {
     for (const StructureCycle& owner : this->AllPatches[patch].Owners)
@@ -308,45 +464,218 @@ Point3 CellSettler::CommonPoint(const std::vector<Index>& group) const
   return point;
 }
 
-void CellSettler::BecomeFan(const Point3& center, Index number)
+/// Gives a patch of one cycle a new form.
+void CellSettler::Take(Index number, InnerPatch&& made)
 {
   CellPatch& patch = this->AllPatches[number];
-  patch.Center = center;
-  patch.IsChanged = true;
-  const StructureCycle& owner = patch.Owners.front();
-  CellTriangles triangles(this->Structures[owner.Structure].Geometry);
-  triangles.AddFan(owner.Cycle, center);
-  patch.Triangles = std::move(triangles.Triangles);
-  this->NumberCorners(number, patch.Triangles);
+  patch.New = std::move(made);
+  patch.Triangles.clear();
+  for (const std::array<Index, 3>& triangle : patch.New.Triangles)
+  {
+    std::array<Point3, 3> corners;
+    std::array<Index, 3> ids;
+    for (int i = 0; i < 3; ++i)
+    {
+      corners[i] = triangle[i] >= 0 ? this->Places[patch.Border[triangle[i]]]
+                                    : patch.New.Points[-1 - triangle[i]];
+      ids[i] = this->NumberOf(corners[i]);
+    }
+    patch.Triangles.push_back({ number, corners, ids });
+  }
 }
 
-/// Groups of several patches, and those that have two forms, become fans. False if some cannot.
-bool CellSettler::FormFans(DisjointSets& groups)
+InnerPatch FanAround(const Point3& center, std::size_t size)
 {
-  std::map<Index, std::vector<Index>> members;
-  for (Index i = 0; i < groups.Count(); ++i)
+  InnerPatch fan;
+  fan.Points.push_back(center);
+  fan.Normals.push_back({ 0.0, 0.0, 0.0 });
+  for (std::size_t i = 0; i < size; ++i)
   {
-    members[groups.Find(i)].push_back(i);
+    fan.Triangles.push_back(
+      { static_cast<Index>(i), static_cast<Index>((i + 1) % size), Index(-1) });
   }
-  bool possible = true;
-  for (const auto& [first, group] : members)
+  return fan;
+}
+
+/// The middle of the centers of patches.
+Point3 CellSettler::FanCenter(const Group& group) const
+{
+  Point3 center{ 0.0, 0.0, 0.0 };
+  for (const Index patch : group)
   {
-    if (group.size() == 1 && !this->AllPatches[first].IsAmbiguous)
+    center = center + (1.0 / group.size()) * this->AllPatches[patch].Center;
+  }
+  return this->MoveInside(group, center);
+}
+
+/// False if the patch is of several cycles, or a fan already.
+bool CellSettler::BecomeFan(Index number)
+{
+  const CellPatch& patch = this->AllPatches[number];
+  if (!patch.IsOneCycle)
+  {
+    return false;
+  }
+  this->Take(number, FanAround(this->FanCenter({ number }), patch.Border.size()));
+  return true;
+}
+
+bool CellSettler::BecomeSheets(const Group& group)
+{
+  if (!std::all_of(group.begin(), group.end(),
+        [this](Index patch) { return this->AllPatches[patch].IsOneCycle; }))
+  {
+    return false;
+  }
+  const std::vector<JunctionCurve> curves = this->FindCurves(group);
+  std::vector<InnerPatch> made(group.size());
+  for (std::size_t i = 0; i < group.size(); ++i)
+  {
+    const CellPatch& patch = this->AllPatches[group[i]];
+    const std::vector<Index> parting = this->PartingPoints(patch);
+    const auto isOn = [&](Index point)
+    { return std::find(parting.begin(), parting.end(), point) != parting.end(); };
+    std::vector<JunctionCurve> own;
+    std::copy_if(curves.begin(), curves.end(), std::back_inserter(own),
+      [&](const JunctionCurve& curve) { return isOn(curve.First) && isOn(curve.Last); });
+    if (2 * own.size() != parting.size() ||
+      !BuildSheets(patch.Border, this->Places, own,
+        [&](const Point3& point) { return this->MoveInside(group, point); }, made[i]))
     {
-      continue;
-    }
-    if (!this->CanBeFans(group))
-    {
-      possible = false;
-      continue;
-    }
-    const Point3 center = this->CommonPoint(group);
-    for (const Index patch : group)
-    {
-      this->BecomeFan(center, patch);
+      return false;
     }
   }
-  return possible;
+  for (std::size_t i = 0; i < group.size(); ++i)
+  {
+    this->Take(group[i], std::move(made[i]));
+  }
+  return true;
+}
+
+/// Whether no structure has two of the patches, or one of several cycles.
+bool CellSettler::CanBeCommon(const Group& group) const
+{
+  std::set<Index> structures;
+  for (const Index patch : group)
+  {
+    for (const StructureCycle& owner : this->AllPatches[patch].Owners)
+    {
+      if (!this->AllPatches[patch].IsOneCycle || !structures.insert(owner.Structure).second)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool CellSettler::BecomeCommon(const Group& group)
+{
+  if (!this->CanBeCommon(group))
+  {
+    return false;
+  }
+  std::set<Index> parting;
+  for (const Index patch : group)
+  {
+    for (const Index point : this->PartingPoints(this->AllPatches[patch]))
+    {
+      parting.insert(point);
+    }
+  }
+  Point3 center = this->FanCenter(group);
+  if (parting.size() >= 2)
+  {
+    center = { 0.0, 0.0, 0.0 };
+    for (const Index i : parting)
+    {
+      center = center + (1.0 / parting.size()) * this->Places[i];
+    }
+    center = this->MoveInside(group, center);
+  }
+  for (const Index patch : group)
+  {
+    this->Take(patch, FanAround(center, this->AllPatches[patch].Border.size()));
+  }
+  return true;
+}
+
+/// Gives a group whose patches touch each other a safer form. False if there is none.
+bool CellSettler::Demote(Index patch)
+{
+  GroupForm& form = this->Forms[this->Groups.Find(patch)];
+  if (form == GroupForm::Stuck)
+  {
+    return false;
+  }
+  const bool isSafer = form == GroupForm::Sheets && this->BecomeCommon(this->MembersOf(patch));
+  form = isSafer ? GroupForm::Common : GroupForm::Stuck;
+  return isSafer;
+}
+
+/// Has two patches that touch make room for each other. False if nothing can be done any more.
+bool CellSettler::Separate(Index a, Index b)
+{
+  if (this->Groups.Find(a) == this->Groups.Find(b))
+  {
+    return this->Demote(a);
+  }
+  bool changed = false;
+  for (const Index patch : { a, b })
+  {
+    GroupForm& form = this->Forms[this->Groups.Find(patch)];
+    if (form == GroupForm::Own && this->BecomeFan(patch))
+    {
+      form = GroupForm::Fan;
+      changed = true;
+    }
+  }
+  if (changed)
+  {
+    return true;
+  }
+  Group both = this->MembersOf(a);
+  const Group others = this->MembersOf(b);
+  both.insert(both.end(), others.begin(), others.end());
+  std::sort(both.begin(), both.end());
+  if (!this->BecomeCommon(both))
+  {
+    return false;
+  }
+  this->Groups.Unite(a, b);
+  this->Forms[this->Groups.Find(a)] = GroupForm::Common;
+  return true;
+}
+
+/// The new form of a patch for each of its owners, whose borders may begin elsewhere and run the other
+/// way.
+void AddNewPatches(const CellPatch& patch, const std::vector<std::vector<Index>>& borders,
+  SettledCell& result)
+{
+  for (std::size_t i = 0; i < patch.Owners.size() && !patch.New.Points.empty(); ++i)
+  {
+    const std::vector<Index>& border = borders[i];
+    std::map<Index, Index> placeOf;
+    for (std::size_t k = 0; k < border.size(); ++k)
+    {
+      placeOf[border[k]] = static_cast<Index>(k);
+    }
+    const bool isReversed = placeOf[patch.Border[1]] !=
+      (placeOf[patch.Border[0]] + 1) % static_cast<Index>(border.size());
+    NewPatch own{ patch.Owners[i], patch.New };
+    for (std::array<Index, 3>& triangle : own.Patch.Triangles)
+    {
+      for (Index& corner : triangle)
+      {
+        corner = corner >= 0 ? placeOf[patch.Border[corner]] : corner;
+      }
+      if (isReversed)
+      {
+        std::swap(triangle[1], triangle[2]);
+      }
+    }
+    result.Patches.push_back(std::move(own));
+  }
 }
 
 SettledCell CellSettler::Run(const std::vector<StructureCycle>& cycles)
@@ -356,25 +685,34 @@ SettledCell CellSettler::Run(const std::vector<StructureCycle>& cycles)
     this->AddCycle(cycle);
   }
   this->CountEdges();
-  DisjointSets groups(static_cast<Index>(this->AllPatches.size()));
-  this->JoinPartsInCommon(groups);
+  this->FormGroups();
   SettledCell result;
-  do
+  bool changed = true;
+  while (changed)
   {
-    result.IsSettled = this->FormFans(groups);
-    this->Within = 0;
-  } while (result.IsSettled && this->JoinContacts(groups));
-  if (getenv("LBDEBUG") && (this->Within || !result.IsSettled))
-    fprintf(stderr, "cell settled %d within %d patches %zu owners %zu\n", (int)result.IsSettled, (int)this->Within, this->AllPatches.size(), cycles.size());
+    changed = false;
+    const std::vector<std::pair<Index, Index>> contacts = this->FindAllContacts();
+    result.IsSettled = contacts.empty();
+    for (const auto& [a, b] : contacts)
+    {
+      changed |= this->Separate(a, b);
+    }
+  }
+  if (getenv("LBDEBUG") && !result.IsSettled)
+  {
+    fprintf(stderr, "cell unsettled patches %zu owners %zu:", this->AllPatches.size(), cycles.size());
+    for (Index i = 0; i < Index(this->AllPatches.size()); ++i) { fprintf(stderr, " [g%d f%d", this->Groups.Find(i), (int)this->Forms[this->Groups.Find(i)]); for (auto& o : this->AllPatches[i].Owners) fprintf(stderr, " s%d", o.Structure); fprintf(stderr, "%s p%zu]", this->AllPatches[i].IsOneCycle ? "" : " M", this->AllPatches[i].IsOneCycle ? this->PartingPoints(this->AllPatches[i]).size() : 0); }
+    for (auto& c : this->FindAllContacts()) fprintf(stderr, " %d-%d", c.first, c.second);
+    fprintf(stderr, "\n");
+  }
   for (const CellPatch& patch : this->AllPatches)
   {
+    std::vector<std::vector<Index>> borders;
     for (const StructureCycle& owner : patch.Owners)
     {
-      if (patch.IsChanged)
-      {
-        result.Fans.push_back({ owner, patch.Center });
-      }
+      borders.push_back(this->BorderOf(owner));
     }
+    AddNewPatches(patch, borders, result);
   }
   return result;
 }

@@ -4,6 +4,7 @@
 #define OrthoSlicesCellOfStructures_h
 
 #include "Core/Labels/CommonCells.h"
+#include "Core/Patches/PatchBorder.h"
 
 #include <vector>
 
@@ -16,17 +17,17 @@ struct StructureCycle
   Index Cycle;
 };
 
-/// A cycle that becomes a fan around a point that several structures have in common.
-struct CommonFan
+/// What a cycle gets in place of its patch.
+struct NewPatch
 {
   StructureCycle Cycle;
-  Point3 Center;
+  InnerPatch Patch;
 };
 
 struct SettledCell
 {
-  std::vector<CommonFan> Fans; ///< in place of the patches of these cycles
-  bool IsSettled = true;       ///< no patches of the cell touch each other now
+  std::vector<NewPatch> Patches;
+  bool IsSettled = true; ///< no patches of the cell touch each other now
 };
 
 /// Settles one cell, whose cycles of all structures are given; see SettleCommonCells. `meshOf` has, for

@@ -128,37 +128,42 @@ std::vector<std::vector<Index>> NumberMeshes(const std::vector<StructureSurface>
   return meshOf;
 }
 
-/// Makes cycles fans around given points, ascending, in place of their patches.
-void ReplaceByFans(const std::vector<std::pair<Index, Point3>>& fans, StructureSurface structure)
+/// Gives cycles, ascending, new patches.
+void ReplacePatches(const std::vector<NewPatch>& made, StructureSurface structure)
 {
-  if (fans.empty())
+  if (made.empty())
   {
     return;
   }
-  const auto isFan = [&](Index cycle)
-  {
-    const auto place = std::lower_bound(fans.begin(), fans.end(), cycle,
-      [](const std::pair<Index, Point3>& fan, Index c) { return fan.first < c; });
-    return place != fans.end() && place->first == cycle;
-  };
   Patches& surface = structure.Surface;
   InnerPatches inner;
+  std::vector<std::uint8_t> isNew(structure.Geometry.Cycles.Count(), 0);
+  auto next = made.begin();
+  const auto addNewBefore = [&](Index cycle)
+  {
+    for (; next != made.end() && next->Cycle.Cycle < cycle; ++next)
+    {
+      inner.Add(next->Cycle.Cycle, next->Patch);
+    }
+  };
+  for (const NewPatch& patch : made)
+  {
+    isNew[patch.Cycle.Cycle] = 1;
+  }
   for (Index i = 0; i < surface.Inner.Count(); ++i)
   {
-    if (!isFan(surface.Inner.Cycle[i]))
+    if (isNew[surface.Inner.Cycle[i]] == 0)
     {
+      addNewBefore(surface.Inner.Cycle[i]);
       inner.Add(surface.Inner, i);
     }
   }
+  addNewBefore(structure.Geometry.Cycles.Count());
   surface.Inner = std::move(inner);
-  surface.Meshes.erase(std::remove_if(surface.Meshes.begin(), surface.Meshes.end(),
-                         [&](const PatchMesh& mesh) { return isFan(mesh.Cycles.front()); }),
+  surface.Meshes.erase(
+    std::remove_if(surface.Meshes.begin(), surface.Meshes.end(),
+      [&](const PatchMesh& mesh) { return isNew[mesh.Cycles.front()] != 0; }),
     surface.Meshes.end());
-  for (const auto& [cycle, center] : fans)
-  {
-    std::copy(center.begin(), center.end(),
-      surface.CentralPoints.begin() + 3 * static_cast<std::size_t>(cycle));
-  }
   LayOutTriangles(structure.Geometry.Graph, structure.Geometry.Cycles, surface);
 }
 }
@@ -179,20 +184,21 @@ CommonCellCounts SettleCommonCells(
     });
   CommonCellCounts counts;
   counts.Common = static_cast<Index>(cells.size());
-  std::vector<std::vector<std::pair<Index, Point3>>> fans(structures.size());
-  for (const SettledCell& cell : settled)
+  std::vector<std::vector<NewPatch>> made(structures.size());
+  for (SettledCell& cell : settled)
   {
-    counts.Settled += cell.Fans.empty() ? 0 : 1;
+    counts.Settled += cell.Patches.empty() ? 0 : 1;
     counts.Unsettled += cell.IsSettled ? 0 : 1;
-    for (const CommonFan& fan : cell.Fans)
+    for (NewPatch& patch : cell.Patches)
     {
-      fans[fan.Cycle.Structure].emplace_back(fan.Cycle.Cycle, fan.Center);
+      made[patch.Cycle.Structure].push_back(std::move(patch));
     }
   }
   for (std::size_t i = 0; i < structures.size(); ++i)
   {
-    std::sort(fans[i].begin(), fans[i].end());
-    ReplaceByFans(fans[i], structures[i]);
+    std::sort(made[i].begin(), made[i].end(),
+      [](const NewPatch& a, const NewPatch& b) { return a.Cycle.Cycle < b.Cycle.Cycle; });
+    ReplacePatches(made[i], structures[i]);
   }
   return counts;
 }
