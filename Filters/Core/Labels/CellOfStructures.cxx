@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace orthoslices
@@ -54,6 +55,7 @@ enum class GroupForm : std::uint8_t
   Fan,    ///< a fan around a point of its own; of one patch only
   Sheets, ///< divided by the curves in which structures meet
   Common, ///< fans around one point
+  Claims, ///< the same, but for structures with several patches, all but one of which have points of their own
   Stuck   ///< they may touch
 };
 
@@ -79,18 +81,24 @@ private:
   void NumberCorners(Index number, std::vector<PatchTriangle>& triangles);
   Index NumberOf(const Point3& point);
   std::vector<Index> BorderOf(const StructureCycle& cycle);
-  void CountEdges();
+  void FileSides();
   void FormGroups();
   Group MembersOf(Index patch);
   bool IsPartingPoint(const CellPatch& patch, std::size_t i) const;
   std::vector<Index> PartingPoints(const CellPatch& patch) const;
 
-  std::vector<std::pair<Index, Index>> FindAllContacts() const;
+  std::vector<std::pair<Index, Index>> FindContactsOf(const Group& group) const;
   bool Separate(Index a, Index b);
   bool Demote(Index patch);
   bool BecomeFan(Index patch);
   bool BecomeSheets(const Group& group);
   bool BecomeCommon(const Group& group);
+  bool BecomeClaims(const Group& group);
+  void BecomeClaims(const Group& group, std::size_t kept, double way);
+  Group FindClaiming(const Group& group, std::size_t kept) const;
+  GroupForm MakeSafe(const Group& group);
+  Point3 CommonCenter(const Group& group) const;
+  Point3 MiddleOfBorder(const CellPatch& patch) const;
   bool CanBeCommon(const Group& group) const;
   std::vector<JunctionCurve> FindCurves(const Group& group) const;
   Point3 MiddleOf(const Group& group, Index first, Index last) const;
@@ -99,6 +107,8 @@ private:
   Point3 MoveInside(const Group& group, Point3 point) const;
   Point3 FanCenter(const Group& group) const;
   void Take(Index number, InnerPatch&& patch);
+  bool BreakMeshes();
+  bool Settle();
 
   static Edge EdgeOf(Index a, Index b) { return std::minmax(a, b); }
 
@@ -108,7 +118,8 @@ private:
   std::vector<Point3> Places;
   std::map<std::vector<Index>, Index> ByBorder;
   std::vector<CellPatch> AllPatches;
-  std::map<Edge, Index> EdgeCounts; ///< how many patches have a side
+  std::set<const PatchMesh*> Broken; ///< patches of several cycles that give way to those of each
+  std::map<Edge, Group> PatchesAt;  ///< those that have a side, ascending
   DisjointSets Groups;              ///< of patches
   std::vector<GroupForm> Forms;     ///< of each group, at its least patch
 };
@@ -229,6 +240,11 @@ void CellSettler::AddCycle(const StructureCycle& cycle)
   CellPatch patch;
   patch.Owners.push_back(cycle);
   patch.Mesh = mesh < 0 ? nullptr : &structure.Surface.Meshes[mesh];
+  if (this->Broken.count(patch.Mesh) > 0)
+  {
+    patch.Mesh = nullptr;
+    patch.IsAmbiguous = true;
+  }
   if (patch.Mesh != nullptr && patch.Mesh->Cycles.front() != cycle.Cycle)
   {
     return; // added with its first cycle
@@ -246,7 +262,7 @@ void CellSettler::AddCycle(const StructureCycle& cycle)
   }
   patch.Offsets.push_back(static_cast<Index>(patch.Border.size()));
   this->AddTriangles(cycle, patch);
-  patch.Center = CenterOf(patch);
+  patch.Center = patch.IsAmbiguous ? this->MiddleOfBorder(patch) : CenterOf(patch);
   const Index number = static_cast<Index>(this->AllPatches.size());
   if (patch.IsOneCycle)
   {
@@ -263,11 +279,12 @@ void CellSettler::AddCycle(const StructureCycle& cycle)
   this->AllPatches.push_back(std::move(patch));
 }
 
-void CellSettler::CountEdges()
+void CellSettler::FileSides()
 {
-  for (const CellPatch& patch : this->AllPatches)
+  for (std::size_t i = 0; i < this->AllPatches.size(); ++i)
   {
-    patch.VisitSides([&](Index a, Index b) { ++this->EdgeCounts[EdgeOf(a, b)]; });
+    this->AllPatches[i].VisitSides([&](Index a, Index b)
+      { this->PatchesAt[EdgeOf(a, b)].push_back(static_cast<Index>(i)); });
   }
 }
 
@@ -276,15 +293,12 @@ void CellSettler::FormGroups()
 {
   this->Groups = DisjointSets(static_cast<Index>(this->AllPatches.size()));
   this->Forms.assign(this->AllPatches.size(), GroupForm::Own);
-  std::map<Edge, Index> first;
-  for (std::size_t i = 0; i < this->AllPatches.size(); ++i)
+  for (const auto& side : this->PatchesAt)
   {
-    this->AllPatches[i].VisitSides(
-      [&](Index a, Index b)
-      {
-        const auto found = first.emplace(EdgeOf(a, b), static_cast<Index>(i)).first;
-        this->Groups.Unite(found->second, static_cast<Index>(i));
-      });
+    for (const Index patch : side.second)
+    {
+      this->Groups.Unite(side.second.front(), patch);
+    }
   }
   for (Index i = 0; i < this->Groups.Count(); ++i)
   {
@@ -295,9 +309,8 @@ void CellSettler::FormGroups()
     const Group group = this->MembersOf(i);
     if (group.size() > 1)
     {
-      this->Forms[i] = this->BecomeSheets(group) ? GroupForm::Sheets
-        : this->BecomeCommon(group)              ? GroupForm::Common
-                                                 : GroupForm::Stuck;
+      this->Forms[i] =
+        this->BecomeSheets(group) ? GroupForm::Sheets : this->MakeSafe(group);
     }
     else if (this->AllPatches[i].IsAmbiguous)
     {
@@ -320,13 +333,13 @@ CellSettler::Group CellSettler::MembersOf(Index patch)
 }
 
 /// Patches that touch. Triangles that several patches have count once.
-std::vector<std::pair<Index, Index>> CellSettler::FindAllContacts() const
+std::vector<std::pair<Index, Index>> CellSettler::FindContactsOf(const Group& group) const
 {
   std::vector<PatchTriangle> triangles;
   std::set<std::array<Index, 3>> known;
-  for (const CellPatch& patch : this->AllPatches)
+  for (const Index patch : group)
   {
-    for (const PatchTriangle& triangle : patch.Triangles)
+    for (const PatchTriangle& triangle : this->AllPatches[patch].Triangles)
     {
       std::array<Index, 3> ids = triangle.Ids;
       std::sort(ids.begin(), ids.end());
@@ -340,13 +353,13 @@ std::vector<std::pair<Index, Index>> CellSettler::FindAllContacts() const
   return FindContacts(triangles, kinds);
 }
 
-/// Whether the border begins or ends at one of its points to be that of another patch, too.
+/// Whether the border is that of other patches before one of its points than after it.
 bool CellSettler::IsPartingPoint(const CellPatch& patch, std::size_t i) const
 {
   const std::size_t size = patch.Border.size();
   const Index before = patch.Border[(i + size - 1) % size], after = patch.Border[(i + 1) % size];
-  return this->EdgeCounts.at(EdgeOf(before, patch.Border[i])) !=
-    this->EdgeCounts.at(EdgeOf(patch.Border[i], after));
+  return this->PatchesAt.at(EdgeOf(before, patch.Border[i])) !=
+    this->PatchesAt.at(EdgeOf(patch.Border[i], after));
 }
 
 /// REQUIRES: a patch of one cycle.
@@ -497,6 +510,52 @@ InnerPatch FanAround(const Point3& center, std::size_t size)
   return fan;
 }
 
+Point3 CellSettler::MiddleOfBorder(const CellPatch& patch) const
+{
+  const std::vector<Index>& border = patch.Border;
+  Point3 middle{ 0.0, 0.0, 0.0 };
+  for (const Index point : border)
+  {
+    middle = middle + (1.0 / static_cast<double>(border.size())) * this->Places[point];
+  }
+  return middle;
+}
+
+/// A patch whose sides are each seen from one of several points; `around` has the place of each side's
+/// point in `centers`, and `base` is that of the patch.
+InnerPatch FanAroundSeveral(
+  const std::vector<Index>& around, Index base, const std::vector<Point3>& centers)
+{
+  InnerPatch patch;
+  std::map<Index, Index> corner; // of a place in centers
+  const auto cornerOf = [&](Index place)
+  {
+    const auto [at, isNew] = corner.emplace(place, -1 - static_cast<Index>(patch.Points.size()));
+    if (isNew)
+    {
+      patch.Points.push_back(centers[place]);
+      patch.Normals.push_back({ 0.0, 0.0, 0.0 });
+    }
+    return at->second;
+  };
+  const std::size_t size = around.size();
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const Index own = around[i], next = around[(i + 1) % size];
+    const Index end = static_cast<Index>((i + 1) % size);
+    patch.Triangles.push_back({ static_cast<Index>(i), end, cornerOf(own) });
+    if (own != next)
+    {
+      patch.Triangles.push_back({ end, cornerOf(next), cornerOf(own) });
+    }
+    if (own != next && own != base && next != base)
+    {
+      patch.Triangles.push_back({ cornerOf(own), cornerOf(next), cornerOf(base) });
+    }
+  }
+  return patch;
+}
+
 /// The middle of the centers of patches.
 Point3 CellSettler::FanCenter(const Group& group) const
 {
@@ -552,7 +611,7 @@ bool CellSettler::BecomeSheets(const Group& group)
   return true;
 }
 
-/// Whether no structure has two of the patches, or one of several cycles.
+/// Whether all patches have one cycle, and no structure has two of them.
 bool CellSettler::CanBeCommon(const Group& group) const
 {
   std::set<Index> structures;
@@ -569,12 +628,9 @@ bool CellSettler::CanBeCommon(const Group& group) const
   return true;
 }
 
-bool CellSettler::BecomeCommon(const Group& group)
+/// The middle of the points at which borders of a group part; of the patches' centers, if they do not.
+Point3 CellSettler::CommonCenter(const Group& group) const
 {
-  if (!this->CanBeCommon(group))
-  {
-    return false;
-  }
   std::set<Index> parting;
   for (const Index patch : group)
   {
@@ -583,16 +639,25 @@ bool CellSettler::BecomeCommon(const Group& group)
       parting.insert(point);
     }
   }
-  Point3 center = this->FanCenter(group);
-  if (parting.size() >= 2)
+  if (parting.size() < 2)
   {
-    center = { 0.0, 0.0, 0.0 };
-    for (const Index i : parting)
-    {
-      center = center + (1.0 / parting.size()) * this->Places[i];
-    }
-    center = this->MoveInside(group, center);
+    return this->FanCenter(group);
   }
+  Point3 center{ 0.0, 0.0, 0.0 };
+  for (const Index i : parting)
+  {
+    center = center + (1.0 / static_cast<double>(parting.size())) * this->Places[i];
+  }
+  return this->MoveInside(group, center);
+}
+
+bool CellSettler::BecomeCommon(const Group& group)
+{
+  if (!this->CanBeCommon(group))
+  {
+    return false;
+  }
+  const Point3 center = this->CommonCenter(group);
   for (const Index patch : group)
   {
     this->Take(patch, FanAround(center, this->AllPatches[patch].Border.size()));
@@ -600,17 +665,104 @@ bool CellSettler::BecomeCommon(const Group& group)
   return true;
 }
 
+/// The patches of a group that need a point of their own: of each structure all but the one that
+/// `kept` counts, from the longest border on.
+CellSettler::Group CellSettler::FindClaiming(const Group& group, std::size_t kept) const
+{
+  std::map<Index, Group> ofStructure;
+  for (const Index patch : group)
+  {
+    for (const StructureCycle& owner : this->AllPatches[patch].Owners)
+    {
+      ofStructure[owner.Structure].push_back(patch);
+    }
+  }
+  std::set<Index> claiming;
+  for (auto& structure : ofStructure)
+  {
+    Group& patches = structure.second;
+    std::stable_sort(patches.begin(), patches.end(), [this](Index a, Index b)
+      { return this->AllPatches[a].Border.size() > this->AllPatches[b].Border.size(); });
+    for (std::size_t i = 0; i < patches.size(); ++i)
+    {
+      if (patches.size() > 1 && i != kept % patches.size())
+      {
+        claiming.insert(patches[i]);
+      }
+    }
+  }
+  return { claiming.begin(), claiming.end() };
+}
+
+/**
+ * Fans around one point, from which some patches take theirs a part of the way to their border. Such a
+ * patch claims its sides, so that they have that point in its neighbours, too; where sides around
+ * several points follow each other, triangles between these points fill the patch.
+ */
+void CellSettler::BecomeClaims(const Group& group, std::size_t kept, double way)
+{
+  std::vector<Point3> centers{ this->CommonCenter(group) };
+  std::map<Edge, Index> claimedBy; // place in centers
+  std::map<Index, Index> baseOf;
+  for (const Index patch : this->FindClaiming(group, kept))
+  {
+    baseOf[patch] = static_cast<Index>(centers.size());
+    this->AllPatches[patch].VisitSides(
+      [&](Index a, Index b)
+      { claimedBy.emplace(EdgeOf(a, b), static_cast<Index>(centers.size())); });
+    centers.push_back(
+      this->MoveInside(group, Between(centers[0], this->MiddleOfBorder(this->AllPatches[patch]), way)));
+  }
+  for (const Index patch : group)
+  {
+    const std::vector<Index>& border = this->AllPatches[patch].Border;
+    std::vector<Index> around; // of each side, the place of its point
+    for (std::size_t i = 0; i < border.size(); ++i)
+    {
+      const auto found = claimedBy.find(EdgeOf(border[i], border[(i + 1) % border.size()]));
+      around.push_back(found == claimedBy.end() ? 0 : found->second);
+    }
+    const auto base = baseOf.find(patch);
+    this->Take(patch, FanAroundSeveral(around, base == baseOf.end() ? 0 : base->second, centers));
+  }
+}
+
+/// Tries which patches keep the common point, and how far the others move theirs.
+bool CellSettler::BecomeClaims(const Group& group)
+{
+  if (!std::all_of(group.begin(), group.end(),
+        [this](Index patch) { return this->AllPatches[patch].IsOneCycle; }))
+  {
+    return false;
+  }
+  for (const double way : { 0.4, 0.15, 0.7 })
+  {
+    for (std::size_t kept = 0; kept < 3; ++kept)
+    {
+      this->BecomeClaims(group, kept, way);
+      if (this->FindContactsOf(group).empty())
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// Gives a group whose patches touch each other a safer form. False if there is none.
 bool CellSettler::Demote(Index patch)
 {
   GroupForm& form = this->Forms[this->Groups.Find(patch)];
-  if (form == GroupForm::Stuck)
-  {
-    return false;
-  }
-  const bool isSafer = form == GroupForm::Sheets && this->BecomeCommon(this->MembersOf(patch));
-  form = isSafer ? GroupForm::Common : GroupForm::Stuck;
-  return isSafer;
+  form = form == GroupForm::Sheets ? this->MakeSafe(this->MembersOf(patch)) : GroupForm::Stuck;
+  return form != GroupForm::Stuck;
+}
+
+/// Fans around one point, or around as many as are needed.
+GroupForm CellSettler::MakeSafe(const Group& group)
+{
+  return this->BecomeCommon(group) ? GroupForm::Common
+    : this->BecomeClaims(group)    ? GroupForm::Claims
+                                   : GroupForm::Stuck;
 }
 
 /// Has two patches that touch make room for each other. False if nothing can be done any more.
@@ -634,17 +786,10 @@ bool CellSettler::Separate(Index a, Index b)
   {
     return true;
   }
-  Group both = this->MembersOf(a);
-  const Group others = this->MembersOf(b);
-  both.insert(both.end(), others.begin(), others.end());
-  std::sort(both.begin(), both.end());
-  if (!this->BecomeCommon(both))
-  {
-    return false;
-  }
   this->Groups.Unite(a, b);
-  this->Forms[this->Groups.Find(a)] = GroupForm::Common;
-  return true;
+  const GroupForm form = this->MakeSafe(this->MembersOf(a));
+  this->Forms[this->Groups.Find(a)] = form;
+  return form != GroupForm::Stuck;
 }
 
 /// The new form of a patch for each of its owners, whose borders may begin elsewhere and run the other
@@ -678,32 +823,63 @@ void AddNewPatches(const CellPatch& patch, const std::vector<std::vector<Index>>
   }
 }
 
-SettledCell CellSettler::Run(const std::vector<StructureCycle>& cycles)
+/// Whether a patch of several cycles is in the way of others; then its cycles get patches of their own.
+bool CellSettler::BreakMeshes()
 {
-  for (const StructureCycle& cycle : cycles)
+  bool any = false;
+  for (Index i = 0; i < this->Groups.Count(); ++i)
   {
-    this->AddCycle(cycle);
+    const CellPatch& patch = this->AllPatches[i];
+    if (this->Forms[this->Groups.Find(i)] == GroupForm::Stuck && !patch.IsOneCycle)
+    {
+      any |= this->Broken.insert(patch.Mesh).second;
+    }
   }
-  this->CountEdges();
-  this->FormGroups();
-  SettledCell result;
-  bool changed = true;
-  while (changed)
+  return any;
+}
+
+/// Makes patches give way to each other. False if some still touch.
+bool CellSettler::Settle()
+{
+  Group all(this->AllPatches.size());
+  std::iota(all.begin(), all.end(), 0);
+  bool changed = true, settled = false;
+  while (changed && !settled)
   {
     changed = false;
-    const std::vector<std::pair<Index, Index>> contacts = this->FindAllContacts();
-    result.IsSettled = contacts.empty();
+    const std::vector<std::pair<Index, Index>> contacts = this->FindContactsOf(all);
+    settled = contacts.empty();
     for (const auto& [a, b] : contacts)
     {
       changed |= this->Separate(a, b);
     }
   }
+  return settled;
+}
+
+SettledCell CellSettler::Run(const std::vector<StructureCycle>& cycles)
+{
+  SettledCell result;
+  do
+  {
+    this->ByBorder.clear();
+    this->AllPatches.clear();
+    this->PatchesAt.clear();
+    for (const StructureCycle& cycle : cycles)
+    {
+      this->AddCycle(cycle);
+    }
+    this->FileSides();
+    this->FormGroups();
+    result.IsSettled = this->Settle();
+  } while (!result.IsSettled && this->BreakMeshes());
   if (getenv("LBDEBUG") && !result.IsSettled)
   {
-    fprintf(stderr, "cell unsettled patches %zu owners %zu:", this->AllPatches.size(), cycles.size());
+    fprintf(stderr, "cell unsettled %g %g %g", this->Places[0][0],this->Places[0][1],this->Places[0][2]); fprintf(stderr, " patches %zu owners %zu:", this->AllPatches.size(), cycles.size());
     for (Index i = 0; i < Index(this->AllPatches.size()); ++i) { fprintf(stderr, " [g%d f%d", this->Groups.Find(i), (int)this->Forms[this->Groups.Find(i)]); for (auto& o : this->AllPatches[i].Owners) fprintf(stderr, " s%d", o.Structure); fprintf(stderr, "%s p%zu]", this->AllPatches[i].IsOneCycle ? "" : " M", this->AllPatches[i].IsOneCycle ? this->PartingPoints(this->AllPatches[i]).size() : 0); }
-    for (auto& c : this->FindAllContacts()) fprintf(stderr, " %d-%d", c.first, c.second);
-    fprintf(stderr, "\n");
+    Group all(this->AllPatches.size());  std::iota(all.begin(), all.end(), 0);
+    for (auto& c : this->FindContactsOf(all)) fprintf(stderr, " %d-%d", c.first, c.second);
+    fprintf(stderr, "\n"); static int shown = 0; if (shown++ < 3) { for (auto& p : this->AllPatches) { fprintf(stderr, "border"); for (Index b : p.Border) fprintf(stderr, " %d(%.9g %.9g %.9g)", b, this->Places[b][0], this->Places[b][1], this->Places[b][2]); fprintf(stderr, "\n"); } }
   }
   for (const CellPatch& patch : this->AllPatches)
   {
