@@ -99,7 +99,8 @@ bool BuildGraph(Pass& pass)
   Contours& contours = pass.Tables.Contours;
   std::vector<double>& normals = pass.Tables.NodeNormals;
   result.Graph = BuildNodeGraph(
-    { contours, result.Grid, result.Crossings, result.Nodes }, pass.Tables.Tolerance, pass.Execute);
+    { contours, result.Grid, result.Crossings, result.Nodes, pass.Settings.Junctions },
+    pass.Tables.Tolerance, pass.Execute);
   normals = ComputeNodeNormals(contours, result.Grid, result.Crossings, result.Nodes, pass.Execute);
   result.Isolated = CopyIsolated(pass.Tables.IsolatedParts, contours, result.Crossings,
     DoSlicesAgree(result.Grid, result.Crossings, result.Nodes));

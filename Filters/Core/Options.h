@@ -13,6 +13,8 @@
 #include "Core/Pieces/ImageBorder.h"
 #include "Core/Slices/OrientContours.h"
 
+#include <set>
+
 namespace orthoslices
 {
 /// What happens to contours that cross themselves or another one of their slice.
@@ -59,6 +61,8 @@ struct Options
     CorrespondenceCriterion::ByEvidence; ///< with SeveralCycles::ByEvidence
   PriorKnowledge Known;
   PatchOptions Patching;
+  /// Vertices at which contours of several structures part, so that they stay; see ArcSource.
+  const std::set<Point3>* Junctions = nullptr;
   EndCaps Ends = EndCaps::Dome; ///< of one family of slices; others show their ends themselves
   double Smoothing = 0.0;        ///< of contours, in mean plane spacings; see SmoothContours
   double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs

@@ -23,7 +23,9 @@ SliceDensity DensityOf(const Pass& pass)
     options.Virtual == VirtualSlices::BySpacing ? options.VirtualSpacing : 0.0 };
 }
 
-bool MakeSurface(Pass& pass)
+}
+
+bool ReconstructContours(Pass& pass)
 {
   const SliceDensity density = DensityOf(pass); // of the slices of the input
   if (pass.Settings.Ends == EndCaps::HalfSlice && !pass.Result.InsideOut)
@@ -33,14 +35,13 @@ bool MakeSurface(Pass& pass)
   return density.IsSparse() ? MakeSparseSurface(density, pass)
                             : ConnectContours(pass) && FillCycles(pass.Settings.Patching, pass);
 }
-}
 
 Reconstruction Reconstruct(std::array<Pieces, 3>&& pieces, const Options& options,
   const Execution& execution, const StageObserver& observer)
 {
   Pass pass(options, execution, observer);
   // Each part says whether to go on.
-  static_cast<void>(ReadSlices(std::move(pieces), pass) && MakeSurface(pass));
+  static_cast<void>(ReadSlices(std::move(pieces), pass) && ReconstructContours(pass));
   return std::move(pass.Result);
 }
 }

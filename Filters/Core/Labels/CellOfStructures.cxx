@@ -5,10 +5,12 @@
 #include "Core/Base/DisjointSets.h"
 #include "Core/Base/Vectors.h"
 #include "Core/Cells/FindContacts.h"
-#include "Core/Labels/CommonPoint.h"
+#include "Core/Labels/JunctionFit.h"
 #include "Core/Labels/SheetPatch.h"
 
 #include <algorithm>
+#include <cmath>
+#include <deque>
 #include <map>
 #include <numeric>
 #include <set>
@@ -17,6 +19,9 @@ namespace orthoslices
 {
 namespace
 {
+/// The most parts of a curve in which structures meet.
+constexpr Index MaxParts = 16;
+
 /// Where common points stay away from the faces of their cell, as a share of its width.
 constexpr double CommonPointMargin = 0.05;
 
@@ -59,13 +64,12 @@ enum class GroupForm : std::uint8_t
   Stuck   ///< they may touch
 };
 
-class CellSettler
+class CellSettler : private CellPoints
 {
 public:
-  CellSettler(const std::vector<StructureSurface>& structures,
-    const std::vector<std::vector<Index>>& meshOf)
-    : Structures(structures)
-    , MeshOf(meshOf)
+  explicit CellSettler(const StructureTables& tables)
+    : Tables(tables)
+    , Structures(tables.Structures)
     , Groups(0)
   {
   }
@@ -73,13 +77,14 @@ public:
   SettledCell Run(const std::vector<StructureCycle>& cycles);
 
 private:
-  using Edge = std::pair<Index, Index>; ///< a side of a border, its lesser end first
+  using Edge = CellEdge;
   using Group = std::vector<Index>;     ///< of patches, ascending
 
   void AddCycle(const StructureCycle& cycle);
   void AddTriangles(const StructureCycle& cycle, CellPatch& patch);
   void NumberCorners(Index number, std::vector<PatchTriangle>& triangles);
-  Index NumberOf(const Point3& point);
+  Index NumberOf(const Point3& place) override;
+  const Point3& PlaceOf(Index point) const override { return this->Places[point]; }
   std::vector<Index> BorderOf(const StructureCycle& cycle);
   void FileSides();
   void FormGroups();
@@ -100,22 +105,25 @@ private:
   Point3 CommonCenter(const Group& group) const;
   Point3 MiddleOfBorder(const CellPatch& patch) const;
   bool CanBeCommon(const Group& group) const;
-  std::vector<JunctionCurve> FindCurves(const Group& group) const;
-  Point3 MiddleOf(const Group& group, Index first, Index last) const;
-  std::vector<BorderSide> SidesOf(Index patch) const;
-  std::vector<BorderSide> SidesOfRest(Index a, Index b) const;
+  std::vector<JunctionCurve> FindCurves(const Group& group);
+  JunctionCurve MakeCurve(const Group& group, const Edge& ends, const Group& patches);
+  double EdgeLength(const Group& group) const;
+  std::vector<std::pair<Index, Index>> SidesOf(Index patch) const;
+  std::vector<std::pair<Index, Index>> SidesOfRest(Index a, Index b) const;
+  SheetBorder BorderOfSheets(Index patch) const;
+  Box3 RoomOf(const Group& group) const;
   Point3 MoveInside(const Group& group, Point3 point) const;
   Point3 FanCenter(const Group& group) const;
   void Take(Index number, InnerPatch&& patch);
   bool BreakMeshes();
   bool Settle();
 
-  static Edge EdgeOf(Index a, Index b) { return std::minmax(a, b); }
+  static Edge EdgeOf(Index a, Index b) { return CellEdgeOf(a, b); }
 
+  const StructureTables& Tables;
   const std::vector<StructureSurface>& Structures;
-  const std::vector<std::vector<Index>>& MeshOf;
   std::map<Point3, Index> Numbers;
-  std::vector<Point3> Places;
+  std::deque<Point3> Places;
   std::map<std::vector<Index>, Index> ByBorder;
   std::vector<CellPatch> AllPatches;
   std::set<const PatchMesh*> Broken; ///< patches of several cycles that give way to those of each
@@ -236,7 +244,7 @@ std::vector<Index> CellSettler::BorderOf(const StructureCycle& cycle)
 void CellSettler::AddCycle(const StructureCycle& cycle)
 {
   const StructureSurface& structure = this->Structures[cycle.Structure];
-  const Index mesh = this->MeshOf[cycle.Structure][cycle.Cycle];
+  const Index mesh = this->Tables.MeshOf[cycle.Structure][cycle.Cycle];
   CellPatch patch;
   patch.Owners.push_back(cycle);
   patch.Mesh = mesh < 0 ? nullptr : &structure.Surface.Meshes[mesh];
@@ -349,7 +357,12 @@ std::vector<std::pair<Index, Index>> CellSettler::FindContactsOf(const Group& gr
       }
     }
   }
-  const std::vector<PatchKind> kinds(this->AllPatches.size(), PatchKind::Fan);
+  std::vector<PatchKind> kinds;
+  for (const CellPatch& patch : this->AllPatches)
+  {
+    // Fans and what structures have made themselves are known not to touch themselves.
+    kinds.push_back(patch.New.Points.size() > 1 ? PatchKind::Joined : PatchKind::Fan);
+  }
   return FindContacts(triangles, kinds);
 }
 
@@ -377,41 +390,39 @@ std::vector<Index> CellSettler::PartingPoints(const CellPatch& patch) const
 }
 
 /// A patch that parts from others twice ends there on a curve from one of these points to the other.
-std::vector<JunctionCurve> CellSettler::FindCurves(const Group& group) const
+std::vector<JunctionCurve> CellSettler::FindCurves(const Group& group)
 {
-  std::map<Edge, JunctionCurve> curves;
+  std::map<Edge, Group> ending; // patches by where they part from others
   for (const Index patch : group)
   {
     const std::vector<Index> ends = this->PartingPoints(this->AllPatches[patch]);
-    if (ends.size() == 2 && curves.count(EdgeOf(ends[0], ends[1])) == 0)
+    if (ends.size() == 2)
     {
-      const Edge edge = EdgeOf(ends[0], ends[1]);
-      curves[edge] = { edge.first, edge.second, this->MiddleOf(group, edge.first, edge.second) };
+      ending[EdgeOf(ends[0], ends[1])].push_back(patch);
     }
   }
-  std::vector<JunctionCurve> list;
-  for (const auto& curve : curves)
+  std::vector<JunctionCurve> curves;
+  for (const auto& [ends, patches] : ending)
   {
-    list.push_back(curve.second);
+    curves.push_back(this->MakeCurve(group, ends, patches));
   }
-  return list;
+  return curves;
 }
 
-std::vector<BorderSide> CellSettler::SidesOf(Index patch) const
+std::vector<std::pair<Index, Index>> CellSettler::SidesOf(Index patch) const
 {
-  std::vector<BorderSide> sides;
-  this->AllPatches[patch].VisitSides(
-    [&](Index a, Index b) { sides.push_back({ this->Places[a], this->Places[b] }); });
+  std::vector<std::pair<Index, Index>> sides;
+  this->AllPatches[patch].VisitSides([&](Index a, Index b) { sides.emplace_back(a, b); });
   return sides;
 }
 
 /// The border of what two patches cover without what both of them do.
-std::vector<BorderSide> CellSettler::SidesOfRest(Index a, Index b) const
+std::vector<std::pair<Index, Index>> CellSettler::SidesOfRest(Index a, Index b) const
 {
   std::map<Edge, bool> sidesOfB; // whether they run from the lesser end
   this->AllPatches[b].VisitSides(
     [&](Index p, Index q) { sidesOfB[EdgeOf(p, q)] = p < q; });
-  std::vector<BorderSide> sides;
+  std::vector<std::pair<Index, Index>> sides;
   Index alike = 0, opposite = 0;
   this->AllPatches[a].VisitSides(
     [&](Index p, Index q)
@@ -419,7 +430,7 @@ std::vector<BorderSide> CellSettler::SidesOfRest(Index a, Index b) const
       const auto found = sidesOfB.find(EdgeOf(p, q));
       if (found == sidesOfB.end())
       {
-        sides.push_back({ this->Places[p], this->Places[q] });
+        sides.emplace_back(p, q);
         return;
       }
       ++(found->second == (p < q) ? alike : opposite);
@@ -428,35 +439,64 @@ std::vector<BorderSide> CellSettler::SidesOfRest(Index a, Index b) const
   for (const auto& [edge, ascends] : sidesOfB)
   {
     const bool forward = ascends != (alike > opposite);
-    const Point3 &p = this->Places[edge.first], &q = this->Places[edge.second];
-    sides.push_back(forward ? BorderSide{ p, q } : BorderSide{ q, p });
+    sides.push_back(forward ? edge : Edge{ edge.second, edge.first });
   }
   return sides;
 }
 
-/// Where the curve from one parting point to another passes, by the patches that part at both.
-Point3 CellSettler::MiddleOf(const Group& group, Index first, Index last) const
+/// The curve in which some patches of a group end.
+JunctionCurve CellSettler::MakeCurve(const Group& group, const Edge& ends, const Group& patches)
 {
-  Group members;
-  std::vector<std::vector<BorderSide>> surfaces;
-  for (const Index patch : group)
+  const Point3 first = this->Places[ends.first], last = this->Places[ends.second];
+  JunctionFit fit(first, last);
+  JunctionCurve curve{ ends.first, ends.second, {}, {}, {} };
+  const auto tryBorder = [&](const std::vector<std::pair<Index, Index>>& sides)
   {
-    const std::vector<Index> ends = this->PartingPoints(this->AllPatches[patch]);
-    if (ends.size() == 2 && EdgeOf(ends[0], ends[1]) == EdgeOf(first, last))
+    std::vector<BorderSide> border;
+    for (const auto& [a, b] : sides)
     {
-      members.push_back(patch);
-      surfaces.push_back(this->SidesOf(patch));
+      border.push_back({ this->Places[a], this->Places[b] });
+    }
+    if (fit.Try(border))
+    {
+      curve.OnSurface.clear();
+      for (const auto& [a, b] : sides)
+      {
+        curve.OnSurface.insert(EdgeOf(a, b));
+      }
+    }
+  };
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    tryBorder(this->SidesOf(patches[i]));
+    for (std::size_t j = i + 1; j < patches.size(); ++j)
+    {
+      tryBorder(this->SidesOfRest(patches[i], patches[j]));
     }
   }
-  for (std::size_t i = 0; i < members.size(); ++i)
+  const SpatialGrid& grid =
+    this->Structures[this->AllPatches[group.front()].Owners.front().Structure].Geometry.Grid;
+  PatchBorder inside;
+  inside.Room = this->RoomOf(group);
+  const double length = Length(last - first);
+  const Index parts = static_cast<Index>(
+    std::max(2.0, std::min(double(MaxParts), std::ceil(length / this->EdgeLength(group)))));
+  for (Index i = 1; i < parts; ++i)
   {
-    for (std::size_t j = i + 1; j < members.size(); ++j)
-    {
-      surfaces.push_back(this->SidesOfRest(members[i], members[j]));
-    }
+    Point3 place, normal;
+    fit.Evaluate(double(i) / parts, place, normal);
+    curve.Inside.push_back(this->NumberOf(inside.MoveInside(grid, place)));
+    curve.Normals.push_back(normal);
   }
-  return this->MoveInside(
-    group, FindCommonPoint(this->Places[first], this->Places[last], surfaces));
+  return curve;
+}
+
+/// How long the sides of triangles are.
+double CellSettler::EdgeLength(const Group& group) const
+{
+  const Index structure = this->AllPatches[group.front()].Owners.front().Structure;
+  return this->Tables.Options.EdgeLength *
+    MinMeanSpacing(this->Structures[structure].Geometry.Grid);
 }
 
 /// A place for a point that all patches of a group have in common.
@@ -579,6 +619,48 @@ bool CellSettler::BecomeFan(Index number)
   return true;
 }
 
+/// The border of a patch with the normals that its first owner has there.
+SheetBorder CellSettler::BorderOfSheets(Index number) const
+{
+  const CellPatch& patch = this->AllPatches[number];
+  const StructureCycle& owner = patch.Owners.front();
+  const StructureSurface& structure = this->Structures[owner.Structure];
+  SheetBorder border;
+  border.Points = patch.Border;
+  if (!structure.Normals.Normals.empty())
+  {
+    for (const Index point : structure.Geometry.GetBorders({ owner.Cycle }))
+    {
+      const float* normal = structure.Normals.Normals.data() + 3 * static_cast<std::size_t>(point);
+      border.Normals.push_back({ normal[0], normal[1], normal[2] });
+    }
+  }
+  return border;
+}
+
+/// Where points inside the patches of a group may be.
+Box3 CellSettler::RoomOf(const Group& group) const
+{
+  Box3 room = Everywhere();
+  for (const Index patch : group)
+  {
+    for (const StructureCycle& owner : this->AllPatches[patch].Owners)
+    {
+      const CycleGeometry& geometry = this->Structures[owner.Structure].Geometry;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const auto place = [&](double x) {
+          return geometry.Grid.MoveInside(
+            axis, geometry.Cycles.Cell[owner.Cycle][axis], x, InnerMargin);
+        };
+        room.Low[axis] = std::max(room.Low[axis], place(-HUGE_VAL));
+        room.High[axis] = std::min(room.High[axis], place(HUGE_VAL));
+      }
+    }
+  }
+  return room;
+}
+
 bool CellSettler::BecomeSheets(const Group& group)
 {
   if (!std::all_of(group.begin(), group.end(),
@@ -587,6 +669,10 @@ bool CellSettler::BecomeSheets(const Group& group)
     return false;
   }
   const std::vector<JunctionCurve> curves = this->FindCurves(group);
+  const SpatialGrid& grid =
+    this->Structures[this->AllPatches[group.front()].Owners.front().Structure].Geometry.Grid;
+  SheetBuilder builder(
+    grid, { this->EdgeLength(group), 0.0 }, this->RoomOf(group), *this);
   std::vector<InnerPatch> made(group.size());
   for (std::size_t i = 0; i < group.size(); ++i)
   {
@@ -598,8 +684,7 @@ bool CellSettler::BecomeSheets(const Group& group)
     std::copy_if(curves.begin(), curves.end(), std::back_inserter(own),
       [&](const JunctionCurve& curve) { return isOn(curve.First) && isOn(curve.Last); });
     if (2 * own.size() != parting.size() ||
-      !BuildSheets(patch.Border, this->Places, own,
-        [&](const Point3& point) { return this->MoveInside(group, point); }, made[i]))
+      !builder.Build(this->BorderOfSheets(group[i]), own, made[i]))
     {
       return false;
     }
@@ -881,6 +966,7 @@ SettledCell CellSettler::Run(const std::vector<StructureCycle>& cycles)
     for (auto& c : this->FindContactsOf(all)) fprintf(stderr, " %d-%d", c.first, c.second);
     fprintf(stderr, "\n"); static int shown = 0; if (shown++ < 3) { for (auto& p : this->AllPatches) { fprintf(stderr, "border"); for (Index b : p.Border) fprintf(stderr, " %d(%.9g %.9g %.9g)", b, this->Places[b][0], this->Places[b][1], this->Places[b][2]); fprintf(stderr, "\n"); } }
   }
+  if (getenv("LBDEBUG")) for (Index i = 0; i < Index(this->AllPatches.size()); ++i) if (this->Groups.Find(i) == i && this->Forms[i] != GroupForm::Own) { auto g = this->MembersOf(i); fprintf(stderr, "FORM %d size %zu\n", (int)this->Forms[i], g.size()); }
   for (const CellPatch& patch : this->AllPatches)
   {
     std::vector<std::vector<Index>> borders;
@@ -894,9 +980,8 @@ SettledCell CellSettler::Run(const std::vector<StructureCycle>& cycles)
 }
 }
 
-SettledCell SettleCell(const std::vector<StructureSurface>& structures,
-  const std::vector<std::vector<Index>>& meshOf, const std::vector<StructureCycle>& cycles)
+SettledCell SettleCell(const StructureTables& tables, const std::vector<StructureCycle>& cycles)
 {
-  return CellSettler(structures, meshOf).Run(cycles);
+  return CellSettler(tables).Run(cycles);
 }
 }

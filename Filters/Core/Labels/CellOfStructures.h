@@ -30,10 +30,15 @@ struct SettledCell
   bool IsSettled = true; ///< no patches of the cell touch each other now
 };
 
-/// Settles one cell, whose cycles of all structures are given; see SettleCommonCells. `meshOf` has, for
-/// each structure, the number of each cycle's mesh in its Patches, or -1.
-SettledCell SettleCell(const std::vector<StructureSurface>& structures,
-  const std::vector<std::vector<Index>>& meshOf, const std::vector<StructureCycle>& cycles);
+struct StructureTables
+{
+  const std::vector<StructureSurface>& Structures;
+  std::vector<std::vector<Index>> MeshOf; ///< of each cycle, its number in Meshes, or -1
+  const PatchOptions& Options;
+};
+
+/// Settles one cell, whose cycles of all structures are given; see SettleCommonCells.
+SettledCell SettleCell(const StructureTables& tables, const std::vector<StructureCycle>& cycles);
 }
 
 #endif

@@ -168,18 +168,18 @@ void ReplacePatches(const std::vector<NewPatch>& made, StructureSurface structur
 }
 }
 
-CommonCellCounts SettleCommonCells(
-  const std::vector<StructureSurface>& structures, const Execution& execution)
+CommonCellCounts SettleCommonCells(const std::vector<StructureSurface>& structures,
+  const PatchOptions& options, const Execution& execution)
 {
   const std::vector<std::vector<StructureCycle>> cells = ListCommonCells(structures);
-  const std::vector<std::vector<Index>> meshOf = NumberMeshes(structures);
+  const StructureTables tables{ structures, NumberMeshes(structures), options };
   std::vector<SettledCell> settled(cells.size());
   execution.For(cells.size(),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        settled[i] = SettleCell(structures, meshOf, cells[i]);
+        settled[i] = SettleCell(tables, cells[i]);
       }
     });
   CommonCellCounts counts;

@@ -13,6 +13,7 @@ namespace orthoslices
 struct StructureSurface
 {
   CycleGeometry Geometry;
+  const SurfaceNormals& Normals; ///< empty if patches are not smooth
   Patches& Surface;
 };
 
@@ -43,8 +44,8 @@ struct CommonCellCounts
  * Cells of structures are the same if the planes around them are, bit for bit; outermost slabs are
  * those beside their plane. Deterministic.
  */
-CommonCellCounts SettleCommonCells(
-  const std::vector<StructureSurface>& structures, const Execution& execution);
+CommonCellCounts SettleCommonCells(const std::vector<StructureSurface>& structures,
+  const PatchOptions& options, const Execution& execution);
 }
 
 #endif

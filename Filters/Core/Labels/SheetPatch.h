@@ -3,34 +3,96 @@
 #ifndef OrthoSlicesSheetPatch_h
 #define OrthoSlicesSheetPatch_h
 
-#include "Core/Patches/PatchBorder.h"
+#include "Core/Patches/SmoothPatch.h"
 
-#include <functional>
+#include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace orthoslices
 {
-/// A curve in which surfaces of structures meet within a cell: from one point on the boundary of the
-/// cell over a point inside to another one. Its ends are numbers of points of the cell.
+/// Points of a cell by their numbers.
+struct CellPoints
+{
+  /// The number of a point; a new one if it has none.
+  virtual Index NumberOf(const Point3& place) = 0;
+  virtual const Point3& PlaceOf(Index point) const = 0;
+
+protected:
+  ~CellPoints() = default;
+};
+
+/// A side of a border, the lesser number of its ends first.
+using CellEdge = std::pair<Index, Index>;
+inline CellEdge CellEdgeOf(Index a, Index b) { return std::minmax(a, b); }
+
+/// A curve in which surfaces of structures meet within a cell, from a point on its boundary to another.
 struct JunctionCurve
 {
   Index First, Last;
-  Point3 Middle;
+  std::vector<Index> Inside;    ///< its other points, in order, at least one
+  std::vector<Point3> Normals;  ///< there, of the smooth surface that it is on; zero if not known
+  std::set<CellEdge> OnSurface; ///< the sides of the border of that surface
+};
+
+/// A border with the normals of the surface, empty if they are not known.
+struct SheetBorder
+{
+  std::vector<Index> Points;
+  std::vector<Point3> Normals;
 };
 
 /**
- * The patch of a border on which curves begin and end that divide it into sheets. Each curve cuts off
- * the part of the border between its ends, a sheet that is a fan around its middle. What is left is
- * one, too, if there is one curve; else it is a fan around another point, which `placeInside` moves into
- * the cell from the middle of its corners. A sheet has the same triangles in all patches that it is
- * part of, whichever way their borders run.
- *
- * `border` has numbers of points of the cell, `places` where these are. False if no ends of curves,
- * or ends of several, lie between the ends of one.
+ * Builds patches of borders on which curves begin and end that divide them into *sheets*. Each curve cuts
+ * off the part of the border between its ends; what is left is a sheet, too. Sheets are smooth patches
+ * between their part of the border and the curves, or fans around the middle of a curve where that
+ * cannot be. Each is built once, so that it has the same triangles in all patches that it is part of,
+ * whichever way their borders run.
  */
-bool BuildSheets(const std::vector<Index>& border, const std::vector<Point3>& places,
-  const std::vector<JunctionCurve>& curves,
-  const std::function<Point3(const Point3&)>& placeInside, InnerPatch& patch);
+class SheetBuilder
+{
+public:
+  /// `room` is where points may be.
+  SheetBuilder(const SpatialGrid& grid, const PatchResolution& resolution, const Box3& room,
+    CellPoints& points)
+    : Grid(grid)
+    , Smooth(grid, resolution)
+    , Room(room)
+    , Points(points)
+  {
+  }
+
+  /// The patch of a border with all curves that end on it. False if ends of others lie between the ends
+  /// of one.
+  bool Build(
+    const SheetBorder& border, const std::vector<JunctionCurve>& curves, InnerPatch& patch);
+
+private:
+  struct Sheet
+  {
+    std::vector<Index> Border; ///< from its least number
+    std::vector<std::array<Index, 3>> Triangles;
+    std::vector<Index> Inside;
+    std::vector<Point3> Normals; ///< of the points inside
+  };
+  struct Outline;
+
+  void AddPath(const SheetBorder& border, Index from, Index to, Outline& outline) const;
+  void AddCurve(const JunctionCurve& curve, Index from, const CellEdge& beside, Outline& outline) const;
+  const Sheet& FindSheet(const Outline& outline, bool& isReversed);
+  Sheet MakeSheet(const Outline& outline);
+  bool MakeSmooth(const Outline& outline, Sheet& sheet);
+  void MakeFan(const Outline& outline, Sheet& sheet);
+  void Append(const Sheet& sheet, bool isReversed, std::map<Index, Index>& corner,
+    InnerPatch& patch) const;
+
+  const SpatialGrid& Grid;
+  SmoothPatchBuilder Smooth;
+  Box3 Room;
+  CellPoints& Points;
+  std::vector<Sheet> Sheets;
+};
 }
 
 #endif
