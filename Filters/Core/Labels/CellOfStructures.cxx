@@ -375,11 +375,11 @@ bool CellSettler::IsPartingPoint(const CellPatch& patch, std::size_t i) const
     this->PatchesAt.at(EdgeOf(patch.Border[i], after));
 }
 
-/// REQUIRES: a patch of one cycle.
+/// None of a patch of several cycles.
 std::vector<Index> CellSettler::PartingPoints(const CellPatch& patch) const
 {
   std::vector<Index> points;
-  for (std::size_t i = 0; i < patch.Border.size(); ++i)
+  for (std::size_t i = 0; patch.IsOneCycle && i < patch.Border.size(); ++i)
   {
     if (this->IsPartingPoint(patch, i))
     {
@@ -515,6 +515,36 @@ Point3 CellSettler::MoveInside(const Group& group, Point3 point) const
     }
   }
   return point;
+}
+
+/// Whether the triangles are a surface with a border of so many points, each side of it passed once, in
+/// its direction.
+bool IsBordered(const InnerPatch& patch, std::size_t size)
+{
+  std::set<std::pair<Index, Index>> sides;
+  for (const std::array<Index, 3>& triangle : patch.Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const Index a = triangle[i], b = triangle[(i + 1) % 3];
+      if (a == b || !sides.insert({ a, b }).second)
+      {
+        return false;
+      }
+    }
+  }
+  std::size_t onBorder = 0;
+  for (const auto& [a, b] : sides)
+  {
+    const bool isBorder = a >= 0 && b >= 0 && static_cast<std::size_t>(b) == (a + 1) % size;
+    const bool hasTwin = sides.count({ b, a }) > 0;
+    if (hasTwin == isBorder)
+    {
+      return false;
+    }
+    onBorder += isBorder ? 1 : 0;
+  }
+  return onBorder == size;
 }
 
 /// Gives a patch of one cycle a new form.
@@ -684,7 +714,8 @@ bool CellSettler::BecomeSheets(const Group& group)
     std::copy_if(curves.begin(), curves.end(), std::back_inserter(own),
       [&](const JunctionCurve& curve) { return isOn(curve.First) && isOn(curve.Last); });
     if (2 * own.size() != parting.size() ||
-      !builder.Build(this->BorderOfSheets(group[i]), own, made[i]))
+      !builder.Build(this->BorderOfSheets(group[i]), own, made[i]) ||
+      !IsBordered(made[i], patch.Border.size()))
     {
       return false;
     }
@@ -751,9 +782,11 @@ bool CellSettler::BecomeCommon(const Group& group)
 }
 
 /// The patches of a group that need a point of their own: of each structure all but the one that
-/// `kept` counts, from the longest border on.
+/// `kept` counts, from the longest border on; all where a patch of several cycles is in the way.
 CellSettler::Group CellSettler::FindClaiming(const Group& group, std::size_t kept) const
 {
+  const bool hasMesh = std::any_of(group.begin(), group.end(),
+    [this](Index patch) { return !this->AllPatches[patch].IsOneCycle; });
   std::map<Index, Group> ofStructure;
   for (const Index patch : group)
   {
@@ -770,7 +803,8 @@ CellSettler::Group CellSettler::FindClaiming(const Group& group, std::size_t kep
       { return this->AllPatches[a].Border.size() > this->AllPatches[b].Border.size(); });
     for (std::size_t i = 0; i < patches.size(); ++i)
     {
-      if (patches.size() > 1 && i != kept % patches.size())
+      const bool isKept = patches.size() == 1 ? !hasMesh : i == kept % patches.size();
+      if (!isKept && this->AllPatches[patches[i]].IsOneCycle)
       {
         claiming.insert(patches[i]);
       }
@@ -800,6 +834,10 @@ void CellSettler::BecomeClaims(const Group& group, std::size_t kept, double way)
   }
   for (const Index patch : group)
   {
+    if (!this->AllPatches[patch].IsOneCycle)
+    {
+      continue; // stays
+    }
     const std::vector<Index>& border = this->AllPatches[patch].Border;
     std::vector<Index> around; // of each side, the place of its point
     for (std::size_t i = 0; i < border.size(); ++i)
@@ -812,15 +850,11 @@ void CellSettler::BecomeClaims(const Group& group, std::size_t kept, double way)
   }
 }
 
-/// Tries which patches keep the common point, and how far the others move theirs.
+/// Tries which patches keep the common point, and how far the others move theirs. A patch of several
+/// cycles stays as it is.
 bool CellSettler::BecomeClaims(const Group& group)
 {
-  if (!std::all_of(group.begin(), group.end(),
-        [this](Index patch) { return this->AllPatches[patch].IsOneCycle; }))
-  {
-    return false;
-  }
-  for (const double way : { 0.4, 0.15, 0.7 })
+  for (const double way : { 0.4, 0.15, 0.7, 0.85 })
   {
     for (std::size_t kept = 0; kept < 3; ++kept)
     {
