@@ -46,6 +46,9 @@ public:
 
   void BuildGrid();
 
+  /// Narrows the bounds of the surface, for all grids that are built from now on.
+  void LimitTo(const Box3& bounds) { this->Bounds = bounds; }
+
   /// The slices of an only family end half a slice farther: with copies of the first and the last one,
   /// which are virtual. See CopyEndSlices.
   void AddEndSlices();

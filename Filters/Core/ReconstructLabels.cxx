@@ -2,82 +2,64 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/ReconstructLabels.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/Frames/SplitByLabel.h"
 #include "Core/Labels/ShareBorders.h"
 #include "Core/Patches/SharedPatches.h"
 #include "Core/ReadSlices.h"
+#include "Core/SparseSurface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
+#include <memory>
 #include <utility>
 
 namespace orthoslices
 {
 namespace
 {
-/// The same with progress within a part of the whole.
-Execution ShareOf(const Execution& whole, double from, double to)
-{
-  Execution part = whole;
-  part.Continue = [&whole, from, to](double progress)
-  { return whole.Continue(from + (to - from) * progress); };
-  return part;
-}
-
-/// What the surface of a label can be compared with others by. Refused ones have none.
-bool HasSurface(const Reconstruction& result)
-{
-  return !result.Refused && result.Surface.Offsets.size() > 1;
-}
-
-CommonCellCounts SettleCells(std::vector<Reconstruction>& results, const PatchOptions& options,
-  const Execution& execution)
-{
-  std::vector<StructureSurface> structures;
-  for (Reconstruction& result : results)
-  {
-    if (HasSurface(result))
-    {
-      structures.push_back({ GeometryOf(result), result.Normals, result.Surface });
-    }
-  }
-  return SettleCommonCells(structures, options, execution);
-}
-}
-
-namespace
-{
 /// Gaps and overlaps of contours are slivers if they are thinner, in spacings of the planes.
 constexpr double ThinGap = 0.01;
 
-/// What the stages need that outlives them.
+/// How far before a plane of other labels a surface ends that has no contour there, in spacings.
+constexpr double RoomBeforePlane = 0.01;
+
+/// How much of the progress reading takes, and, where slices are sparse, reading and first surfaces.
+constexpr double ProgressOfReading = 0.2;
+constexpr double ProgressOfDrawing = 0.5;
+
+/// The stages of one label, and what has to outlive them.
 struct LabelPass
 {
-  LabelPass(const Options& options, const Execution& whole, double from, double to)
-    : Execute(ShareOf(whole, from, to))
+  LabelPass(const Options& options, const Execution& whole)
+    : Execute(whole)
     , Stages(options, this->Execute, this->Observe)
   {
+    this->Execute.Continue = [this, &whole](double progress)
+    { return whole.Continue(this->From + (this->To - this->From) * progress); };
   }
+  LabelPass(const LabelPass&) = delete;
+  void operator=(const LabelPass&) = delete;
+
+  /// From here on its progress is that part of what is between two values, of the whole.
+  void SetProgress(double from, double to, std::size_t part, std::size_t parts)
+  {
+    const double share = (to - from) / static_cast<double>(parts);
+    this->From = from + share * static_cast<double>(part);
+    this->To = this->From + share;
+  }
+
   Execution Execute;
   StageObserver Observe;
   Pass Stages;
-  bool IsRead = false;
-};
+  bool IsRead = false; ///< and not refused
+  std::unique_ptr<SparseStructure> Sparse;
 
-/// Reads the slices of all labels. False: stopped.
-bool ReadLabels(std::vector<SortedSlices>& labels, std::deque<LabelPass>& passes)
-{
-  for (std::size_t i = 0; i < labels.size(); ++i)
-  {
-    passes[i].IsRead = ReadSlices(std::move(labels[i].Slices), passes[i].Stages);
-    if (passes[i].Stages.Result.Stopped)
-    {
-      return false;
-    }
-  }
-  return true;
-}
+private:
+  double From = 0.0, To = 1.0;
+};
 
 /// Points as they are in contours that were rounded to multiples of a quantum, if it is not 0.
 std::set<Point3> RoundAll(const std::set<Point3>& points, double quantum)
@@ -92,77 +74,364 @@ std::set<Point3> RoundAll(const std::set<Point3>& points, double quantum)
   return rounded;
 }
 
+class LabelRunner
+{
+public:
+  LabelRunner(std::vector<SortedSlices>& labels, const Options& options, const Execution& execution);
+
+  /// False: stopped.
+  bool Run();
+  std::vector<Reconstruction> TakeResults();
+  CommonCellCounts Counts;
+
+private:
+  bool Read();
+  bool DoAnyMeet() const;
+  void ShareContours();
+  void FindPlanes();
+  void LimitBounds(Pass& pass) const;
+  SliceDensity Density() const;
+  bool MakeEach();
+  bool MakeSparse(const SliceDensity& density);
+  LabelPass& AddUnion();
+  VirtualPlanes PlanesFor(const SpatialGrid& grid, const VirtualPlanes& common) const;
+  void ShareVirtual(std::vector<LabelPass*> passes);
+  void SettleCells();
+  double Thickness() const;
+
+  std::vector<SortedSlices>& Labels;
+  Options Settings;
+  const Execution& Execute;
+  SharedPatches Shared;
+  std::deque<LabelPass> Passes; ///< of the labels, and of their union
+  SharedBorders Borders;
+  std::set<Point3> Junctions;
+  std::array<std::vector<double>, 3> Planes; ///< of all labels
+};
+
+LabelRunner::LabelRunner(
+  std::vector<SortedSlices>& labels, const Options& options, const Execution& execution)
+  : Labels(labels)
+  , Settings(options)
+  , Execute(execution)
+{
+  this->Settings.Patching.Shared = &this->Shared;
+  this->Settings.Junctions = &this->Junctions;
+  for (const SortedSlices& label : labels)
+  {
+    this->Settings.Quantum =
+      std::max(this->Settings.Quantum, ChooseQuantum(label, options.SinglePrecision));
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i)
+  {
+    this->Passes.emplace_back(this->Settings, execution);
+  }
+}
+
+bool LabelRunner::Read()
+{
+  for (std::size_t i = 0; i < this->Labels.size(); ++i)
+  {
+    LabelPass& pass = this->Passes[i];
+    pass.SetProgress(0.0, ProgressOfReading, i, this->Labels.size());
+    pass.IsRead = ReadSlices(std::move(this->Labels[i].Slices), pass.Stages);
+    if (pass.Stages.Result.Stopped)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether surfaces of labels may come near to each other: the boxes of their contours do.
+bool LabelRunner::DoAnyMeet() const
+{
+  std::vector<Box3> boxes;
+  for (const LabelPass& pass : this->Passes)
+  {
+    if (pass.IsRead)
+    {
+      const SpatialGrid& grid = pass.Stages.Result.Grid;
+      boxes.push_back({ grid.Lowest, grid.Highest });
+      for (std::size_t i = 0; i + 1 < boxes.size(); ++i)
+      {
+        if (boxes[i].Meets(boxes.back()))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+double LabelRunner::Thickness() const
+{
+  double spacing = HUGE_VAL;
+  for (const LabelPass& pass : this->Passes)
+  {
+    spacing = pass.IsRead ? std::min(spacing, MinMeanSpacing(pass.Stages.Result.Grid)) : spacing;
+  }
+  return ThinGap * spacing;
+}
+
 /// Contours of labels get the same vertices where they run along each other.
-SharedBorders ShareContours(const Execution& execution, std::deque<LabelPass>& passes)
+void LabelRunner::ShareContours()
 {
   std::vector<Contours*> contours;
-  double spacing = HUGE_VAL;
-  for (LabelPass& pass : passes)
+  for (LabelPass& pass : this->Passes)
   {
     if (pass.IsRead)
     {
       contours.push_back(&pass.Stages.Tables.Contours);
-      spacing = std::min(spacing, MinMeanSpacing(pass.Stages.Result.Grid));
     }
   }
-  const SharedBorders shared = ShareBorders(ThinGap * spacing, {}, execution, contours);
-  for (LabelPass& pass : passes)
+  this->Borders = ShareBorders(this->Thickness(), {}, this->Execute, contours);
+  this->Junctions = RoundAll(this->Borders.Junctions, this->Settings.Quantum);
+  for (LabelPass& pass : this->Passes)
   {
     if (pass.IsRead)
     {
       pass.Stages.BuildGrid();
     }
   }
-  return shared;
+  this->FindPlanes();
+}
+
+void LabelRunner::FindPlanes()
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<double>& planes = this->Planes[axis];
+    for (const LabelPass& pass : this->Passes)
+    {
+      const std::vector<double>& own = pass.Stages.Result.Grid.Planes[axis];
+      planes.insert(planes.end(), own.begin(), own.end());
+    }
+    std::sort(planes.begin(), planes.end());
+    planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
+  }
+}
+
+/// A surface ends before the next plane of other labels, unless contours of its own pass that.
+void LabelRunner::LimitBounds(Pass& pass) const
+{
+  const SpatialGrid& grid = pass.Result.Grid;
+  const Box3 box = BoxOf(pass.Tables.Contours);
+  Box3 bounds = Everywhere();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<double>& planes = this->Planes[axis];
+    const double room = RoomBeforePlane * grid.SpacingAtEnds[axis];
+    const auto above = std::upper_bound(planes.begin(), planes.end(), box.High[axis] + room);
+    const auto below = std::lower_bound(planes.begin(), planes.end(), box.Low[axis] - room);
+    bounds.High[axis] = above != planes.end() ? *above - room : bounds.High[axis];
+    bounds.Low[axis] = below != planes.begin() ? *(below - 1) + room : bounds.Low[axis];
+  }
+  pass.LimitTo(bounds);
+  pass.BuildGrid();
+}
+
+/// How dense the slices of all labels are together.
+SliceDensity LabelRunner::Density() const
+{
+  if (this->Settings.Virtual == VirtualSlices::Off)
+  {
+    return {};
+  }
+  Contours all;
+  for (const LabelPass& pass : this->Passes)
+  {
+    AppendContours(pass.Stages.Tables.Contours, all);
+  }
+  const SpatialGrid grid = BuildSpatialGrid(
+    all, this->Passes.front().Stages.Tables.Tolerance, this->Settings.SinglePrecision);
+  return { grid, BoxOf(all),
+    this->Settings.Virtual == VirtualSlices::BySpacing ? this->Settings.VirtualSpacing : 0.0 };
+}
+
+/// Each label by itself.
+bool LabelRunner::MakeEach()
+{
+  for (std::size_t i = 0; i < this->Passes.size(); ++i)
+  {
+    LabelPass& pass = this->Passes[i];
+    pass.SetProgress(ProgressOfReading, 1.0, i, this->Passes.size());
+    if (pass.IsRead && !ReconstructContours(pass.Stages))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// What all labels cover together, as one structure more.
+LabelPass& LabelRunner::AddUnion()
+{
+  this->Passes.emplace_back(this->Settings, this->Execute);
+  LabelPass& all = this->Passes.back();
+  all.IsRead = true;
+  all.Stages.Tables.Tolerance = this->Passes.front().Stages.Tables.Tolerance;
+  all.Stages.Tables.Contours = this->Borders.Union;
+  all.Stages.BuildGrid();
+  return all;
+}
+
+/// The planes on which a label is cut: those of all that it has not itself.
+VirtualPlanes LabelRunner::PlanesFor(const SpatialGrid& grid, const VirtualPlanes& common) const
+{
+  VirtualPlanes planes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<double> others;
+    std::set_difference(this->Planes[axis].begin(), this->Planes[axis].end(),
+      grid.Planes[axis].begin(), grid.Planes[axis].end(), std::back_inserter(others));
+    std::merge(others.begin(), others.end(), common[axis].begin(), common[axis].end(),
+      std::back_inserter(planes[axis]));
+  }
+  return planes;
+}
+
+/// Virtual slices of all labels divide what all cover together as the real ones do.
+void LabelRunner::ShareVirtual(std::vector<LabelPass*> passes)
+{
+  std::vector<Contours*> contours;
+  for (LabelPass* pass : passes)
+  {
+    Contours& drawn = pass->Sparse->Virtual;
+    drawn.Plane.assign(drawn.Count(), 0); // to be found with those of the real slices
+    contours.push_back(&drawn);
+  }
+  StructureSets allowed{ {} };
+  for (const std::vector<Index>& set : this->Borders.Sets)
+  {
+    std::vector<Index> withUnion{ 0 };
+    for (const Index label : set)
+    {
+      withUnion.push_back(label + 1);
+    }
+    allowed.insert(set.empty() ? set : withUnion);
+  }
+  const SharedBorders shared =
+    ShareBorders(this->Thickness(), allowed, this->Execute, contours);
+  const std::set<Point3> junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
+  this->Junctions.insert(junctions.begin(), junctions.end());
+}
+
+/// All labels with virtual slices on the same planes.
+bool LabelRunner::MakeSparse(const SliceDensity& density)
+{
+  LabelPass& all = this->AddUnion();
+  const SpatialGrid& grid = all.Stages.Result.Grid;
+  const VirtualPlanes common =
+    ChooseVirtualPlanes(grid, { grid.Lowest, grid.Highest }, density);
+  std::deque<VirtualPlanes> planes;
+  std::vector<LabelPass*> passes{ &all };
+  for (LabelPass& pass : this->Passes)
+  {
+    if (pass.IsRead && &pass != &all)
+    {
+      passes.push_back(&pass);
+    }
+  }
+  for (std::size_t i = 0; i < passes.size(); ++i)
+  {
+    LabelPass* pass = passes[i];
+    pass->SetProgress(ProgressOfReading, ProgressOfDrawing, i, passes.size());
+    planes.push_back(this->PlanesFor(pass->Stages.Result.Grid, common));
+    pass->Sparse = std::make_unique<SparseStructure>(density, planes.back(), pass->Stages);
+    if (!pass->Sparse->Draw())
+    {
+      return false;
+    }
+  }
+  this->ShareVirtual(passes);
+  for (std::size_t i = 0; i < passes.size(); ++i)
+  {
+    LabelPass* pass = passes[i];
+    pass->SetProgress(ProgressOfDrawing, 1.0, i, passes.size());
+    if (pass != &all && !pass->Sparse->Finish())
+    {
+      return false;
+    }
+    pass->Sparse.reset();
+  }
+  this->Passes.pop_back();
+  return true;
+}
+
+void LabelRunner::SettleCells()
+{
+  std::vector<StructureSurface> structures;
+  for (LabelPass& pass : this->Passes)
+  {
+    Reconstruction& result = pass.Stages.Result;
+    if (pass.IsRead)
+    {
+      structures.push_back({ GeometryOf(result), result.Normals, result.Surface });
+    }
+  }
+  this->Counts = SettleCommonCells(structures, this->Settings.Patching, this->Execute);
+}
+
+bool LabelRunner::Run()
+{
+  if (!this->Read())
+  {
+    return false;
+  }
+  if (!this->DoAnyMeet())
+  {
+    return this->MakeEach();
+  }
+  this->ShareContours();
+  const SliceDensity density = this->Density();
+  if (density.IsSparse() && !this->MakeSparse(density))
+  {
+    return false;
+  }
+  if (!density.IsSparse())
+  {
+    for (LabelPass& pass : this->Passes)
+    {
+      if (pass.IsRead)
+      {
+        this->LimitBounds(pass.Stages);
+        pass.Stages.Settings.Virtual = VirtualSlices::Off;
+      }
+    }
+    if (!this->MakeEach())
+    {
+      return false;
+    }
+  }
+  this->SettleCells();
+  return true;
+}
+
+std::vector<Reconstruction> LabelRunner::TakeResults()
+{
+  std::vector<Reconstruction> results;
+  for (LabelPass& pass : this->Passes)
+  {
+    results.push_back(std::move(pass.Stages.Result));
+  }
+  return results;
 }
 }
 
 LabelSurfaces ReconstructLabels(
   std::vector<SortedSlices>&& labels, const Options& options, const Execution& execution)
 {
-  SharedPatches shared;
-  Options settings = options;
-  settings.Patching.Shared = &shared;
-  double all = 1.0, before = 0.0;
-  for (const SortedSlices& label : labels)
-  {
-    all += static_cast<double>(CountVertices(label));
-    settings.Quantum =
-      std::max(settings.Quantum, ChooseQuantum(label, options.SinglePrecision));
-  }
-  std::deque<LabelPass> passes;
-  for (const SortedSlices& label : labels)
-  {
-    const double share = static_cast<double>(CountVertices(label)) / all;
-    passes.emplace_back(settings, execution, before, before + share);
-    before += share;
-  }
   LabelSurfaces surfaces;
-  surfaces.Stopped = !ReadLabels(labels, passes);
+  LabelRunner runner(labels, options, execution);
+  surfaces.Stopped = !runner.Run();
   if (surfaces.Stopped)
   {
     return surfaces;
   }
-  const SharedBorders borders = ShareContours(execution, passes);
-  const std::set<Point3> junctions = RoundAll(borders.Junctions, settings.Quantum);
-  for (LabelPass& pass : passes)
-  {
-    pass.Stages.Settings.Junctions = &junctions;
-  }
-  for (LabelPass& pass : passes)
-  {
-    if (pass.IsRead)
-    {
-      ReconstructContours(pass.Stages);
-    }
-    surfaces.OfLabel.push_back(std::move(pass.Stages.Result));
-    surfaces.Stopped |= surfaces.OfLabel.back().Stopped;
-    if (surfaces.Stopped)
-    {
-      return surfaces;
-    }
-  }
-  surfaces.Cells = SettleCells(surfaces.OfLabel, options.Patching, execution);
+  surfaces.OfLabel = runner.TakeResults();
+  surfaces.Cells = runner.Counts;
   for (std::size_t i = 0; i < labels.size(); ++i)
   {
     ReturnToWorld(std::move(labels[i]), surfaces.OfLabel[i]);

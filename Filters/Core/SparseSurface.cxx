@@ -13,6 +13,40 @@ namespace orthoslices
 {
 namespace
 {
+/// A surface that shows the topology and is going to be bent: with no more triangles than that needs.
+bool Sketch(const SliceDensity& density, Pass& pass)
+{
+  PatchOptions patching = pass.Settings.Patching;
+  patching.EdgeLength =
+    std::max(patching.EdgeLength, density.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
+  patching.Shared = nullptr;
+  return FillCycles(patching, pass);
+}
+
+/// What a second surface has to come out as. Components that were too small are drawn nevertheless,
+/// and must not be joined to others instead.
+PriorKnowledge TopologyOf(const Reconstruction& base)
+{
+  const Index small = base.SmallComponents;
+  return { base.Topology.Components + small, small > 0 ? -1 : base.Topology.Genus };
+}
+
+/// A pass over the contours as they were drawn, without what the first surface leaves out, and over
+/// virtual ones.
+Pass SecondPass(const Pass& first, const Contours& drawn, const Contours& added,
+  const PriorKnowledge& known, std::vector<Index>& leftOut)
+{
+  const std::vector<IsolatedLoop>& parts = first.Tables.IsolatedParts;
+  leftOut = FindLeftOut(first.Result.Isolated, parts);
+  Contours contours = drawn;
+  RemoveContours(leftOut, parts, contours);
+  AddVirtual(added, contours);
+  Pass again(first, std::move(contours));
+  again.Settings.Known = known;
+  again.SetShare(0.48, 0.88); // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole
+  return again;
+}
+
 /// Runs the passes; see MakeSparseSurface.
 class SparseRunner
 {
@@ -27,7 +61,6 @@ public:
   bool Run();
 
 private:
-  bool Sketch(Pass& pass) const;
   bool FillFirst();
   bool BendStack();
   bool Bend(const Reconstruction& base, GuideCurves&& guides);
@@ -45,15 +78,6 @@ bool SparseRunner::Stop()
   return false;
 }
 
-/// A surface that shows the topology and is going to be bent: with no more triangles than that needs.
-bool SparseRunner::Sketch(Pass& pass) const
-{
-  PatchOptions patching = pass.Settings.Patching;
-  patching.EdgeLength =
-    std::max(patching.EdgeLength, this->Density.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
-  patching.Shared = nullptr;
-  return FillCycles(patching, pass);
-}
 
 /// Makes the sketch of the first surface the surface that is wanted.
 bool SparseRunner::FillFirst()
@@ -73,19 +97,11 @@ bool SparseRunner::BendStack()
   }
   Pass stack(this->First, SelectAxis(this->Drawn, axis, true));
   stack.SetShare(0.485, 0.5);
-  if (!ConnectContours(stack) || !this->Sketch(stack))
+  if (!ConnectContours(stack) || !Sketch(this->Density, stack))
   {
     return this->Stop();
   }
   return this->Bend(stack.Result, CutGuides(this->Drawn, this->First.Result.Grid, axis));
-}
-
-/// What a second surface has to come out as. Components that were too small are drawn nevertheless,
-/// and must not be joined to others instead.
-PriorKnowledge TopologyOf(const Reconstruction& base)
-{
-  const Index small = base.SmallComponents;
-  return { base.Topology.Components + small, small > 0 ? -1 : base.Topology.Genus };
 }
 
 /// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
@@ -101,14 +117,8 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
   {
     return false;
   }
-  const std::vector<IsolatedLoop>& parts = this->First.Tables.IsolatedParts;
-  const std::vector<Index> leftOut = FindLeftOut(first.Isolated, parts);
-  Contours contours = this->Drawn;
-  RemoveContours(leftOut, parts, contours);
-  AddVirtual(added, contours);
-  Pass again(this->First, std::move(contours));
-  again.Settings.Known = TopologyOf(base);
-  again.SetShare(0.48, 0.88); // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole
+  std::vector<Index> leftOut;
+  Pass again = SecondPass(this->First, this->Drawn, added, TopologyOf(base), leftOut);
   if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
   {
     return this->Stop();
@@ -131,7 +141,7 @@ bool SparseRunner::Run()
     return false;
   }
   this->Centers = this->First.Result.Surface.CentralPoints;
-  if (!this->Sketch(this->First))
+  if (!Sketch(this->Density, this->First))
   {
     return false;
   }
@@ -145,5 +155,64 @@ bool SparseRunner::Run()
 bool MakeSparseSurface(const SliceDensity& density, Pass& pass)
 {
   return SparseRunner(density, pass).Run();
+}
+
+bool SparseStructure::Draw()
+{
+  this->First.SetShare(0.245, 0.545);
+  if (!ConnectContours(this->First))
+  {
+    return false;
+  }
+  this->Centers = this->First.Result.Surface.CentralPoints;
+  if (!Sketch(this->Density, this->First))
+  {
+    return false;
+  }
+  Reconstruction& first = this->First.Result;
+  Execution execution = this->First.Execute;
+  execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
+  const int axis = this->Density.StackAxis();
+  const Contours ofStack = axis < 0 ? Contours() : SelectAxis(this->Drawn, axis, true);
+  if (ofStack.Count() == 0)
+  {
+    this->Known = TopologyOf(first);
+    this->Virtual = MakeVirtualSlices({ GeometryOf(first), first.Surface, first.Grid, {}, &this->Planes },
+      this->Density, execution);
+    return !first.Stopped;
+  }
+  Pass stack(this->First, Contours(ofStack));
+  stack.SetShare(0.485, 0.5);
+  if (!ConnectContours(stack) || !Sketch(this->Density, stack))
+  {
+    first.Stopped = true;
+    return false;
+  }
+  this->Known = TopologyOf(stack.Result);
+  this->Virtual =
+    MakeVirtualSlices({ GeometryOf(stack.Result), stack.Result.Surface, first.Grid,
+                        CutGuides(this->Drawn, first.Grid, axis), &this->Planes },
+      this->Density, execution);
+  return !first.Stopped;
+}
+
+bool SparseStructure::Finish()
+{
+  if (this->Virtual.Count() == 0)
+  {
+    this->First.Result.Surface.CentralPoints.swap(this->Centers);
+    this->First.SetShare(0.0, 1.0);
+    return FillCycles(this->First.Settings.Patching, this->First);
+  }
+  std::vector<Index> leftOut;
+  Pass again = SecondPass(this->First, this->Drawn, this->Virtual, this->Known, leftOut);
+  if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
+  {
+    this->First.Result.Stopped = true;
+    return false;
+  }
+  TakeReport(this->First.Result, leftOut, again.Result);
+  this->First.Result = std::move(again.Result);
+  return true;
 }
 }

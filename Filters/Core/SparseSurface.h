@@ -21,6 +21,39 @@ namespace orthoslices
  * REQUIRES: density.IsSparse(), of the contours of the pass. False: stopped.
  */
 bool MakeSparseSurface(const SliceDensity& density, Pass& pass);
+
+/**
+ * The same in two steps, for one of several structures, whose virtual slices are made to agree with
+ * those of the others in between. All structures are cut on the same planes, and all keep the second
+ * surface, whatever its topology is.
+ */
+class SparseStructure
+{
+public:
+  /// All have to outlive this.
+  SparseStructure(const SliceDensity& density, const VirtualPlanes& planes, Pass& first)
+    : Density(density)
+    , Planes(planes)
+    , First(first)
+    , Drawn(first.Tables.Contours)
+  {
+  }
+
+  /// The first surface, bent and cut on the planes: sets Virtual. False: stopped.
+  bool Draw();
+  /// The second surface, in the place of the first one in its pass. False: stopped.
+  bool Finish();
+
+  Contours Virtual; ///< of the planes, as MakeVirtualSlices draws them
+
+private:
+  const SliceDensity& Density;
+  const VirtualPlanes& Planes;
+  Pass& First;
+  Contours Drawn;              ///< as they are before the first pass
+  std::vector<double> Centers; ///< the central points of the first surface before its sketch
+  PriorKnowledge Known;        ///< what the second surface is to come out as
+};
 }
 
 #endif

@@ -7,7 +7,6 @@
 #include "Core/Labels/SnapVertices.h"
 #include "Core/Loops/LoopWindings.h"
 #include "Core/Loops/TraceRegion.h"
-#include "Core/Sparse/SelectContours.h"
 
 #include <algorithm>
 #include <cmath>
@@ -384,6 +383,20 @@ std::vector<std::vector<Member>> ListSlices(const std::vector<Contours*>& struct
   return list;
 }
 
+/// Appends contours that are virtual where they say so.
+void AppendWithFlags(const Contours& added, Contours& contours)
+{
+  std::vector<std::uint8_t> flags = contours.Virtual;
+  flags.resize(contours.Axis.size(), 0);
+  for (Index i = 0; i < added.Count(); ++i)
+  {
+    flags.push_back(added.IsVirtual(i) ? 1 : 0);
+  }
+  AppendContours(added, contours);
+  const bool anyVirtual = std::find(flags.begin(), flags.end(), 1) != flags.end();
+  contours.Virtual = anyVirtual ? std::move(flags) : std::vector<std::uint8_t>();
+}
+
 void AddTo(const SharedBorders& slice, SharedBorders& all)
 {
   all.Sets.insert(slice.Sets.begin(), slice.Sets.end());
@@ -443,9 +456,7 @@ SharedBorders ShareBorders(double thickness, const StructureSets& allowed,
   {
     for (auto& made : slice.New)
     {
-      const bool isVirtual = made.second.Count() > 0 && made.second.IsVirtual(0);
-      Contours& contours = *structures[made.first];
-      isVirtual ? AddVirtual(made.second, contours) : AppendContours(made.second, contours);
+      AppendWithFlags(made.second, *structures[made.first]);
     }
   }
   return all;
