@@ -46,8 +46,12 @@ public:
 
   void BuildGrid();
 
-  /// Narrows the bounds of the surface, for all grids that are built from now on.
-  void LimitTo(const Box3& bounds) { this->Bounds = bounds; }
+  /// Planes of other structures, for grids that are built from now on; see AddEmptyPlanes. They have to
+  /// outlive this.
+  void SetOtherPlanes(const std::array<std::vector<double>, 3>& planes)
+  {
+    this->OtherPlanes = &planes;
+  }
 
   /// The slices of an only family end half a slice farther: with copies of the first and the last one,
   /// which are virtual. See CopyEndSlices.
@@ -65,6 +69,7 @@ public:
 
 private:
   Box3 Bounds = Everywhere();  ///< of the surface, where slices were added at its ends,
+  const std::array<std::vector<double>, 3>* OtherPlanes = nullptr;
   bool HasEndSlices = false;   ///< by this pass: else another one has made the report
   double From = 0.0, To = 1.0; ///< progress of the whole at 0 and 1 of the part at work
 };

@@ -23,9 +23,6 @@ namespace
 /// Gaps and overlaps of contours are slivers if they are thinner, in spacings of the planes.
 constexpr double ThinGap = 0.01;
 
-/// How far before a plane of other labels a surface ends that has no contour there, in spacings.
-constexpr double RoomBeforePlane = 0.01;
-
 /// How much of the progress reading takes, and, where slices are sparse, reading and first surfaces.
 constexpr double ProgressOfReading = 0.2;
 constexpr double ProgressOfDrawing = 0.5;
@@ -89,7 +86,7 @@ private:
   bool DoAnyMeet() const;
   void ShareContours();
   void FindPlanes();
-  void LimitBounds(Pass& pass) const;
+  void AddPlanes(const VirtualPlanes& planes);
   SliceDensity Density() const;
   bool MakeEach();
   bool MakeSparse(const SliceDensity& density);
@@ -213,23 +210,14 @@ void LabelRunner::FindPlanes()
   }
 }
 
-/// A surface ends before the next plane of other labels, unless contours of its own pass that.
-void LabelRunner::LimitBounds(Pass& pass) const
+void LabelRunner::AddPlanes(const VirtualPlanes& planes)
 {
-  const SpatialGrid& grid = pass.Result.Grid;
-  const Box3 box = BoxOf(pass.Tables.Contours);
-  Box3 bounds = Everywhere();
   for (int axis = 0; axis < 3; ++axis)
   {
-    const std::vector<double>& planes = this->Planes[axis];
-    const double room = RoomBeforePlane * grid.SpacingAtEnds[axis];
-    const auto above = std::upper_bound(planes.begin(), planes.end(), box.High[axis] + room);
-    const auto below = std::lower_bound(planes.begin(), planes.end(), box.Low[axis] - room);
-    bounds.High[axis] = above != planes.end() ? *above - room : bounds.High[axis];
-    bounds.Low[axis] = below != planes.begin() ? *(below - 1) + room : bounds.Low[axis];
+    std::vector<double>& all = this->Planes[axis];
+    all.insert(all.end(), planes[axis].begin(), planes[axis].end());
+    std::sort(all.begin(), all.end());
   }
-  pass.LimitTo(bounds);
-  pass.BuildGrid();
 }
 
 /// How dense the slices of all labels are together.
@@ -346,10 +334,12 @@ bool LabelRunner::MakeSparse(const SliceDensity& density)
     }
   }
   this->ShareVirtual(passes);
+  this->AddPlanes(common);
   for (std::size_t i = 0; i < passes.size(); ++i)
   {
     LabelPass* pass = passes[i];
     pass->SetProgress(ProgressOfDrawing, 1.0, i, passes.size());
+    pass->Stages.SetOtherPlanes(this->Planes);
     if (pass != &all && !pass->Sparse->Finish())
     {
       return false;
@@ -396,7 +386,8 @@ bool LabelRunner::Run()
     {
       if (pass.IsRead)
       {
-        this->LimitBounds(pass.Stages);
+        pass.Stages.SetOtherPlanes(this->Planes);
+        pass.Stages.BuildGrid();
         pass.Stages.Settings.Virtual = VirtualSlices::Off;
       }
     }

@@ -99,7 +99,7 @@ private:
   bool BecomeSheets(const Group& group);
   bool BecomeCommon(const Group& group);
   bool BecomeClaims(const Group& group);
-  void BecomeClaims(const Group& group, std::size_t kept, double way);
+  bool BecomeClaims(const Group& group, std::size_t kept, double way);
   Group FindClaiming(const Group& group, std::size_t kept) const;
   GroupForm MakeSafe(const Group& group);
   Point3 CommonCenter(const Group& group) const;
@@ -269,6 +269,9 @@ void CellSettler::AddCycle(const StructureCycle& cycle)
     patch.Border.insert(patch.Border.end(), border.begin(), border.end());
   }
   patch.Offsets.push_back(static_cast<Index>(patch.Border.size()));
+  // Where a border has two points at one place, numbers do not tell what is between them.
+  const std::set<Index> distinct(patch.Border.begin(), patch.Border.end());
+  patch.IsOneCycle = patch.IsOneCycle && distinct.size() == patch.Border.size();
   this->AddTriangles(cycle, patch);
   patch.Center = patch.IsAmbiguous ? this->MiddleOfBorder(patch) : CenterOf(patch);
   const Index number = static_cast<Index>(this->AllPatches.size());
@@ -816,9 +819,10 @@ CellSettler::Group CellSettler::FindClaiming(const Group& group, std::size_t kep
 /**
  * Fans around one point, from which some patches take theirs a part of the way to their border. Such a
  * patch claims its sides, so that they have that point in its neighbours, too; where sides around
- * several points follow each other, triangles between these points fill the patch.
+ * several points follow each other, triangles between these points fill the patch. False if that is
+ * no surface.
  */
-void CellSettler::BecomeClaims(const Group& group, std::size_t kept, double way)
+bool CellSettler::BecomeClaims(const Group& group, std::size_t kept, double way)
 {
   std::vector<Point3> centers{ this->CommonCenter(group) };
   std::map<Edge, Index> claimedBy; // place in centers
@@ -846,8 +850,15 @@ void CellSettler::BecomeClaims(const Group& group, std::size_t kept, double way)
       around.push_back(found == claimedBy.end() ? 0 : found->second);
     }
     const auto base = baseOf.find(patch);
-    this->Take(patch, FanAroundSeveral(around, base == baseOf.end() ? 0 : base->second, centers));
+    InnerPatch made =
+      FanAroundSeveral(around, base == baseOf.end() ? 0 : base->second, centers);
+    if (!IsBordered(made, border.size()))
+    {
+      return false;
+    }
+    this->Take(patch, std::move(made));
   }
+  return true;
 }
 
 /// Tries which patches keep the common point, and how far the others move theirs. A patch of several
@@ -858,8 +869,7 @@ bool CellSettler::BecomeClaims(const Group& group)
   {
     for (std::size_t kept = 0; kept < 3; ++kept)
     {
-      this->BecomeClaims(group, kept, way);
-      if (this->FindContactsOf(group).empty())
+      if (this->BecomeClaims(group, kept, way) && this->FindContactsOf(group).empty())
       {
         return true;
       }
@@ -949,7 +959,7 @@ bool CellSettler::BreakMeshes()
   for (Index i = 0; i < this->Groups.Count(); ++i)
   {
     const CellPatch& patch = this->AllPatches[i];
-    if (this->Forms[this->Groups.Find(i)] == GroupForm::Stuck && !patch.IsOneCycle)
+    if (this->Forms[this->Groups.Find(i)] == GroupForm::Stuck && patch.Offsets.size() > 2)
     {
       any |= this->Broken.insert(patch.Mesh).second;
     }
