@@ -137,9 +137,14 @@ bool PatchCells(Pass& pass)
 
 }
 
+bool DrawGraph(Pass& pass)
+{
+  return MakeSlicesAgree(pass) && BuildGraph(pass);
+}
+
 bool ConnectContours(Pass& pass)
 {
-  return MakeSlicesAgree(pass) && BuildGraph(pass) && PatchCells(pass);
+  return DrawGraph(pass) && PatchCells(pass);
 }
 
 /// Normals along the contours, and the inside of the patches (section 5).

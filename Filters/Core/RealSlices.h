@@ -27,6 +27,9 @@ void RemoveContours(
 /// of the first one, and lists the contours that were left out there.
 void TakeReport(
   const Reconstruction& first, const std::vector<Index>& leftOut, Reconstruction& result);
+
+/// The contours of virtual slices as they are in the graph G.
+Contours ReadVirtual(const Reconstruction& result);
 }
 
 #endif

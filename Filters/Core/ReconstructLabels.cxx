@@ -90,9 +90,10 @@ private:
   SliceDensity Density() const;
   bool MakeEach();
   bool MakeSparse(const SliceDensity& density);
+  bool FinishSparse(const std::vector<LabelPass*>& passes);
   LabelPass& AddUnion();
   VirtualPlanes PlanesFor(const SpatialGrid& grid, const VirtualPlanes& common) const;
-  void ShareVirtual(std::vector<LabelPass*> passes);
+  void ShareVirtual(const std::vector<LabelPass*>& passes, bool withUnion);
   void SettleCells();
   double Thickness() const;
 
@@ -280,8 +281,9 @@ VirtualPlanes LabelRunner::PlanesFor(const SpatialGrid& grid, const VirtualPlane
   return planes;
 }
 
-/// Virtual slices of all labels divide what all cover together as the real ones do.
-void LabelRunner::ShareVirtual(std::vector<LabelPass*> passes)
+/// Virtual slices of all labels divide what all cover together as the real ones do. The union of all
+/// is the first one, if it is there.
+void LabelRunner::ShareVirtual(const std::vector<LabelPass*>& passes, bool withUnion)
 {
   std::vector<Contours*> contours;
   for (LabelPass* pass : passes)
@@ -293,12 +295,16 @@ void LabelRunner::ShareVirtual(std::vector<LabelPass*> passes)
   StructureSets allowed{ {} };
   for (const std::vector<Index>& set : this->Borders.Sets)
   {
-    std::vector<Index> withUnion{ 0 };
+    std::vector<Index> members;
     for (const Index label : set)
     {
-      withUnion.push_back(label + 1);
+      members.push_back(withUnion ? label + 1 : label);
     }
-    allowed.insert(set.empty() ? set : withUnion);
+    if (withUnion && !set.empty())
+    {
+      members.insert(members.begin(), 0);
+    }
+    allowed.insert(members);
   }
   const SharedBorders shared =
     ShareBorders(this->Thickness(), allowed, this->Execute, contours);
@@ -333,18 +339,32 @@ bool LabelRunner::MakeSparse(const SliceDensity& density)
       return false;
     }
   }
-  this->ShareVirtual(passes);
+  this->ShareVirtual(passes, true);
   this->AddPlanes(common);
-  for (std::size_t i = 0; i < passes.size(); ++i)
+  passes.erase(passes.begin());
+  return this->FinishSparse(passes);
+}
+
+/// The second surfaces of all labels, from virtual slices on which all slices and labels agree.
+bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
+{
+  for (LabelPass* pass : passes)
   {
-    LabelPass* pass = passes[i];
-    pass->SetProgress(ProgressOfDrawing, 1.0, i, passes.size());
     pass->Stages.SetOtherPlanes(this->Planes);
-    if (pass != &all && !pass->Sparse->Finish())
+    if (!pass->Sparse->Redraw())
     {
       return false;
     }
-    pass->Sparse.reset();
+  }
+  this->ShareVirtual(passes, false);
+  for (std::size_t i = 0; i < passes.size(); ++i)
+  {
+    passes[i]->SetProgress(ProgressOfDrawing, 1.0, i, passes.size());
+    if (!passes[i]->Sparse->Finish())
+    {
+      return false;
+    }
+    passes[i]->Sparse.reset();
   }
   this->Passes.pop_back();
   return true;

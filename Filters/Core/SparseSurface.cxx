@@ -196,6 +196,23 @@ bool SparseStructure::Draw()
   return !first.Stopped;
 }
 
+bool SparseStructure::Redraw()
+{
+  if (this->Virtual.Count() == 0)
+  {
+    return true;
+  }
+  std::vector<Index> leftOut;
+  Pass again = SecondPass(this->First, this->Drawn, this->Virtual, this->Known, leftOut);
+  if (!DrawGraph(again))
+  {
+    this->First.Result.Stopped = true;
+    return false;
+  }
+  this->Virtual = ReadVirtual(again.Result);
+  return true;
+}
+
 bool SparseStructure::Finish()
 {
   if (this->Virtual.Count() == 0)

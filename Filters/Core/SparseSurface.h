@@ -41,6 +41,9 @@ public:
 
   /// The first surface, bent and cut on the planes: sets Virtual. False: stopped.
   bool Draw();
+  /// Draws the virtual slices as they are after all slices have been made to agree, so that a
+  /// second surface changes them no more: sets Virtual. False: stopped.
+  bool Redraw();
   /// The second surface, in the place of the first one in its pass. False: stopped.
   bool Finish();
 

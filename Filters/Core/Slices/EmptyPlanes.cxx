@@ -45,7 +45,12 @@ std::vector<double> ChoosePlanes(
   {
     chosen.push_back(*(inside - 1));
   }
-  const std::vector<std::array<double, 2>> ranges = RangesAlong(axis, contours);
+  if (grid.HasVirtual())
+  {
+    chosen.insert(chosen.end(), inside, above);
+  }
+  const std::vector<std::array<double, 2>> ranges =
+    grid.HasVirtual() ? std::vector<std::array<double, 2>>() : RangesAlong(axis, contours);
   std::size_t next = 0;
   double end = -HUGE_VAL; // of the ranges that begin below a plane
   for (auto plane = inside; plane != above && !ranges.empty(); ++plane)
