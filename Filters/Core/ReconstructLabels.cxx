@@ -23,6 +23,10 @@ namespace
 /// Gaps and overlaps of contours are slivers if they are thinner, in spacings of the planes.
 constexpr double ThinGap = 0.01;
 
+/// How many times slices and labels are made to agree: what one of them changes, the other one has to
+/// follow.
+constexpr int RoundsOfAgreement = 2;
+
 /// How much of the progress reading takes, and, where slices are sparse, reading and first surfaces.
 constexpr double ProgressOfReading = 0.2;
 constexpr double ProgressOfDrawing = 0.5;
@@ -348,15 +352,18 @@ bool LabelRunner::MakeSparse(const SliceDensity& density)
 /// The second surfaces of all labels, from virtual slices on which all slices and labels agree.
 bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
 {
-  for (LabelPass* pass : passes)
+  for (int round = 0; round < (getenv("RR") ? atoi(getenv("RR")) : RoundsOfAgreement); ++round)
   {
-    pass->Stages.SetOtherPlanes(this->Planes);
-    if (!pass->Sparse->Redraw())
+    for (LabelPass* pass : passes)
     {
-      return false;
+      pass->Stages.SetOtherPlanes(this->Planes);
+      if (!pass->Sparse->Redraw())
+      {
+        return false;
+      }
     }
+    this->ShareVirtual(passes, false);
   }
-  this->ShareVirtual(passes, false);
   for (std::size_t i = 0; i < passes.size(); ++i)
   {
     passes[i]->SetProgress(ProgressOfDrawing, 1.0, i, passes.size());
