@@ -289,7 +289,8 @@ bool vtkOrthogonalSliceReconstruction::ReconstructLabels(orthoslices::SortedSlic
     surfaces =
       orthoslices::ReconstructLabels(std::move(parts), options, orthoslices::ExecuteWithVtk(this));
   }
-  return surfaces.Stopped || this->WriteLabels(std::move(surfaces), others, labels, options, outputs);
+  return surfaces.Stopped ||
+    this->WriteLabels(std::move(surfaces), others, labels, options, outputs);
 }
 
 /// The outputs of all labels that have a surface, appended.
@@ -305,7 +306,8 @@ bool vtkOrthogonalSliceReconstruction::WriteLabels(orthoslices::LabelSurfaces&& 
   {
     const ShareOfProgress progress(this, ProgressBeforeSurface + share * label, share);
     std::string text;
-    const bool done = this->WriteResult(std::move(surfaces.OfLabel[label]), others[label], options,
+    const bool done = this->WriteResult(
+      std::move(surfaces.OfLabel[label]), others[label], options,
       [&]() { return appended.Next(label); }, text);
     surfaces.OfLabel[label] = orthoslices::Reconstruction();
     any |= done;

@@ -137,15 +137,9 @@ bool PatchCells(Pass& pass)
 
 }
 
-bool DrawGraph(Pass& pass)
-{
-  return MakeSlicesAgree(pass) && BuildGraph(pass);
-}
+bool DrawGraph(Pass& pass) { return MakeSlicesAgree(pass) && BuildGraph(pass); }
 
-bool ConnectContours(Pass& pass)
-{
-  return DrawGraph(pass) && PatchCells(pass);
-}
+bool ConnectContours(Pass& pass) { return DrawGraph(pass) && PatchCells(pass); }
 
 /// Normals along the contours, and the inside of the patches (section 5).
 bool FillCycles(const PatchOptions& patching, Pass& pass)

@@ -51,9 +51,9 @@ struct Options
   CrossingContours Crossing = CrossingContours::Repair;
   LoopRule Loops = LoopRule::Union; ///< with Repair
   double RedrawnShare = 0.05;       ///< of the thickness of contours; see RemoveRedrawn
-  bool SinglePrecision = false; ///< the result will be stored as float
-  double Quantum = 0.0;         ///< see SpatialGrid; 0: coordinates are not rounded on its account
-  bool InsertMissing = true;    ///< contours that slices lack; see FindMissingContours
+  bool SinglePrecision = false;     ///< the result will be stored as float
+  double Quantum = 0.0;      ///< see SpatialGrid; 0: coordinates are not rounded on its account
+  bool InsertMissing = true; ///< contours that slices lack; see FindMissingContours
   AxisWeights Weights{ 1.0, 1.0, 1.0 };
   CentralPointMethod Central = CentralPointMethod::LeastSquares;
   SeveralCycles Several = SeveralCycles::ByEvidence;
@@ -63,7 +63,7 @@ struct Options
   PatchOptions Patching;
   /// Vertices at which contours of several structures part, so that they stay; see ArcSource.
   const std::set<Point3>* Junctions = nullptr;
-  EndCaps Ends = EndCaps::Dome; ///< of one family of slices; others show their ends themselves
+  EndCaps Ends = EndCaps::Dome;  ///< of one family of slices; others show their ends themselves
   double Smoothing = 0.0;        ///< of contours, in mean plane spacings; see SmoothContours
   double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
   VirtualSlices Virtual = VirtualSlices::Off;

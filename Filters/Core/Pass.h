@@ -68,7 +68,7 @@ public:
   Reconstruction Result;
 
 private:
-  Box3 Bounds = Everywhere();  ///< of the surface, where slices were added at its ends,
+  Box3 Bounds = Everywhere(); ///< of the surface, where slices were added at its ends,
   const std::array<std::vector<double>, 3>* OtherPlanes = nullptr;
   bool HasEndSlices = false;   ///< by this pass: else another one has made the report
   double From = 0.0, To = 1.0; ///< progress of the whole at 0 and 1 of the part at work

@@ -133,8 +133,8 @@ void AddPoint(int axis, const Point3& point, Contours& contours)
 }
 
 /// The contour that an arc is part of, with all of its arcs.
-void ReadContour(const Reconstruction& result, Index arc, std::vector<std::uint8_t>& isRead,
-  Contours& contours)
+void ReadContour(
+  const Reconstruction& result, Index arc, std::vector<std::uint8_t>& isRead, Contours& contours)
 {
   const GridCrossings& crossings = result.Crossings;
   const GridEdge edge = GridEdgeCode(result.Grid).Decode(crossings.Edge[arc]);
@@ -149,8 +149,7 @@ void ReadContour(const Reconstruction& result, Index arc, std::vector<std::uint8
       AddPoint(axis, result.Graph.PointAt(result.Graph.FirstPoint(next) + i), contours);
     }
   }
-  CloseVirtual(
-    axis, result.Grid.Planes[axis][isFirst ? edge.First : edge.Second], contours);
+  CloseVirtual(axis, result.Grid.Planes[axis][isFirst ? edge.First : edge.Second], contours);
 }
 }
 

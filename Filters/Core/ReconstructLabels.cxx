@@ -78,7 +78,8 @@ std::set<Point3> RoundAll(const std::set<Point3>& points, double quantum)
 class LabelRunner
 {
 public:
-  LabelRunner(std::vector<SortedSlices>& labels, const Options& options, const Execution& execution);
+  LabelRunner(
+    std::vector<SortedSlices>& labels, const Options& options, const Execution& execution);
 
   /// False: stopped.
   bool Run();
@@ -310,8 +311,7 @@ void LabelRunner::ShareVirtual(const std::vector<LabelPass*>& passes, bool withU
     }
     allowed.insert(members);
   }
-  const SharedBorders shared =
-    ShareBorders(this->Thickness(), allowed, this->Execute, contours);
+  const SharedBorders shared = ShareBorders(this->Thickness(), allowed, this->Execute, contours);
   const std::set<Point3> junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
   this->Junctions.insert(junctions.begin(), junctions.end());
 }
@@ -321,8 +321,7 @@ bool LabelRunner::MakeSparse(const SliceDensity& density)
 {
   LabelPass& all = this->AddUnion();
   const SpatialGrid& grid = all.Stages.Result.Grid;
-  const VirtualPlanes common =
-    ChooseVirtualPlanes(grid, { grid.Lowest, grid.Highest }, density);
+  const VirtualPlanes common = ChooseVirtualPlanes(grid, { grid.Lowest, grid.Highest }, density);
   std::deque<VirtualPlanes> planes;
   std::vector<LabelPass*> passes{ &all };
   for (LabelPass& pass : this->Passes)
@@ -352,7 +351,7 @@ bool LabelRunner::MakeSparse(const SliceDensity& density)
 /// The second surfaces of all labels, from virtual slices on which all slices and labels agree.
 bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
 {
-  for (int round = 0; round < (getenv("RR") ? atoi(getenv("RR")) : RoundsOfAgreement); ++round)
+  for (int round = 0; round < RoundsOfAgreement; ++round)
   {
     for (LabelPass* pass : passes)
     {

@@ -78,7 +78,6 @@ bool SparseRunner::Stop()
   return false;
 }
 
-
 /// Makes the sketch of the first surface the surface that is wanted.
 bool SparseRunner::FillFirst()
 {
@@ -177,8 +176,9 @@ bool SparseStructure::Draw()
   if (ofStack.Count() == 0)
   {
     this->Known = TopologyOf(first);
-    this->Virtual = MakeVirtualSlices({ GeometryOf(first), first.Surface, first.Grid, {}, &this->Planes },
-      this->Density, execution);
+    this->Virtual =
+      MakeVirtualSlices({ GeometryOf(first), first.Surface, first.Grid, {}, &this->Planes },
+        this->Density, execution);
     return !first.Stopped;
   }
   Pass stack(this->First, Contours(ofStack));
@@ -189,10 +189,9 @@ bool SparseStructure::Draw()
     return false;
   }
   this->Known = TopologyOf(stack.Result);
-  this->Virtual =
-    MakeVirtualSlices({ GeometryOf(stack.Result), stack.Result.Surface, first.Grid,
-                        CutGuides(this->Drawn, first.Grid, axis), &this->Planes },
-      this->Density, execution);
+  this->Virtual = MakeVirtualSlices({ GeometryOf(stack.Result), stack.Result.Surface, first.Grid,
+                                      CutGuides(this->Drawn, first.Grid, axis), &this->Planes },
+    this->Density, execution);
   return !first.Stopped;
 }
 

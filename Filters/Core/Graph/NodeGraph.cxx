@@ -64,8 +64,7 @@ private:
   Index CountPoints(Index arc) const;
   void WriteArc(Index arc, double* points) const;
   void Fade(Index arc, double* begin, double* end) const;
-  void FadePart(
-    std::array<PartEnd, 2> ends, const std::vector<double*>& points) const;
+  void FadePart(std::array<PartEnd, 2> ends, const std::vector<double*>& points) const;
 
   const Contours& Set;
   const SpatialGrid& Grid;
@@ -200,8 +199,7 @@ void GraphBuilder::Fade(Index arc, double* begin, double* end) const
 }
 
 /// Moves points between two ends by shares that are linear along the length.
-void GraphBuilder::FadePart(
-  std::array<PartEnd, 2> ends, const std::vector<double*>& between) const
+void GraphBuilder::FadePart(std::array<PartEnd, 2> ends, const std::vector<double*>& between) const
 {
   std::vector<double*> points = between;
   if (this->Grid.BothWays && ends[1].Place < ends[0].Place)

@@ -65,10 +65,9 @@ struct CellMember
 
 bool operator<(const CellMember& a, const CellMember& b)
 {
-  return a.Cell != b.Cell ? a.Cell < b.Cell
-    : a.Cycle.Structure != b.Cycle.Structure
-    ? a.Cycle.Structure < b.Cycle.Structure
-    : a.Cycle.Cycle < b.Cycle.Cycle;
+  return a.Cell != b.Cell                    ? a.Cell < b.Cell
+    : a.Cycle.Structure != b.Cycle.Structure ? a.Cycle.Structure < b.Cycle.Structure
+                                             : a.Cycle.Cycle < b.Cycle.Cycle;
 }
 
 /// The cycles of all structures, ordered by cell.
@@ -160,9 +159,8 @@ void ReplacePatches(const std::vector<NewPatch>& made, StructureSurface structur
   }
   addNewBefore(structure.Geometry.Cycles.Count());
   surface.Inner = std::move(inner);
-  surface.Meshes.erase(
-    std::remove_if(surface.Meshes.begin(), surface.Meshes.end(),
-      [&](const PatchMesh& mesh) { return isNew[mesh.Cycles.front()] != 0; }),
+  surface.Meshes.erase(std::remove_if(surface.Meshes.begin(), surface.Meshes.end(),
+                         [&](const PatchMesh& mesh) { return isNew[mesh.Cycles.front()] != 0; }),
     surface.Meshes.end());
   LayOutTriangles(structure.Geometry.Graph, structure.Geometry.Cycles, surface);
 }

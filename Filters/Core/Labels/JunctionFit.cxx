@@ -79,13 +79,12 @@ void JunctionFit::Evaluate(double share, Point3& place, Point3& normal) const
     return;
   }
   // The ends are on the curve, wherever the quadratic is there.
-  const double atEnds = (1.0 - share) * this->HeightOver(this->First) + share * this->HeightOver(this->Last);
-  const double height =
-    std::max(-1.0, std::min(1.0, this->HeightOver(place) - atEnds));
+  const double atEnds =
+    (1.0 - share) * this->HeightOver(this->First) + share * this->HeightOver(this->Last);
+  const double height = std::max(-1.0, std::min(1.0, this->HeightOver(place) - atEnds));
   const Point3 p = this->ToLocal(place);
   const std::array<double, 2> slopes = this->Heights.SlopesAt(p[0], p[1]);
   place = place + (this->Unit * height) * this->Axes[2];
-  normal = orthoslices::Unit(
-    this->Axes[2] - slopes[0] * this->Axes[0] - slopes[1] * this->Axes[1]);
+  normal = orthoslices::Unit(this->Axes[2] - slopes[0] * this->Axes[0] - slopes[1] * this->Axes[1]);
 }
 }

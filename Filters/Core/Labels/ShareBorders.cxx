@@ -95,7 +95,8 @@ std::vector<std::vector<Point2>> SliceSharer::ReadPolygons()
   SnapTarget earlier(this->Thickness, length / static_cast<double>(sides));
   for (std::size_t first = 0, last = 0; first < polygons.size(); first = last)
   {
-    for (; last < polygons.size() && this->Members[last].Structure == this->Members[first].Structure;
+    for (;
+         last < polygons.size() && this->Members[last].Structure == this->Members[first].Structure;
          ++last)
     {
       for (Point2& corner : polygons[last])
@@ -328,9 +329,8 @@ std::vector<std::uint8_t> SliceSharer::InsideOf(Index structure) const
   std::vector<std::uint8_t> inside;
   for (const std::vector<Index>& set : this->Sets)
   {
-    const bool isIn = structure < 0
-      ? !set.empty()
-      : std::binary_search(set.begin(), set.end(), structure);
+    const bool isIn =
+      structure < 0 ? !set.empty() : std::binary_search(set.begin(), set.end(), structure);
     inside.push_back(isIn ? 1 : 0);
   }
   return inside;
@@ -447,7 +447,6 @@ SharedBorders ShareBorders(double thickness, const StructureSets& allowed,
       }
     }
   }
-  if (getenv("LBDEBUG")) { size_t n=0,m=0; for (auto& x : slices) m += x.front().Structure != x.back().Structure; for (auto& x : shared) n += x.New.size(); fprintf(stderr, "SHARE slices %zu common %zu new %zu sets %zu thick %g\n", slices.size(), m, n, all.Sets.size(), thickness); }
   for (std::size_t i = 0; i < structures.size(); ++i)
   {
     RemoveMarked(isReplaced[i], *structures[i]);

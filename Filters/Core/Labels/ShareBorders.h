@@ -27,8 +27,8 @@ using StructureSets = std::set<std::vector<Index>>;
 struct SharedBorders
 {
   CommonAreas Areas;
-  StructureSets Sets; ///< that places have, but for slivers
-  Contours Union;     ///< of all structures, on each slice
+  StructureSets Sets;         ///< that places have, but for slivers
+  Contours Union;             ///< of all structures, on each slice
   std::set<Point3> Junctions; ///< vertices at which contours part or meet
 };
 

@@ -84,8 +84,7 @@ std::vector<Index> Canonical(std::vector<Index> border, bool& isReversed)
 
 /// Adds a part of a border, both ends included. The normals at its ends, where other sheets begin, are
 /// those of the points next to them.
-void SheetBuilder::AddPath(
-  const SheetBorder& border, Index from, Index to, Outline& outline) const
+void SheetBuilder::AddPath(const SheetBorder& border, Index from, Index to, Outline& outline) const
 {
   const Index size = static_cast<Index>(border.Points.size());
   const Index count = (to - from + size - 1) % size + 2; // points
@@ -131,8 +130,8 @@ bool SheetBuilder::Build(
   patch.Clear();
   const auto sideAt = [&](Index place)
   {
-    return CellEdgeOf(border.Points[place],
-      border.Points[(place + 1) % static_cast<Index>(border.Points.size())]);
+    return CellEdgeOf(
+      border.Points[place], border.Points[(place + 1) % static_cast<Index>(border.Points.size())]);
   };
   std::vector<Outline> outlines;
   Outline rest;
@@ -275,8 +274,8 @@ void SheetBuilder::MakeFan(const Outline& outline, Sheet& sheet)
 
 /// Adds a sheet to a patch. `corner` has the corners that its points have there; those that have none
 /// become points inside.
-void SheetBuilder::Append(const Sheet& sheet, bool isReversed, std::map<Index, Index>& corner,
-  InnerPatch& patch) const
+void SheetBuilder::Append(
+  const Sheet& sheet, bool isReversed, std::map<Index, Index>& corner, InnerPatch& patch) const
 {
   const auto cornerOf = [&](Index point)
   {
@@ -285,9 +284,9 @@ void SheetBuilder::Append(const Sheet& sheet, bool isReversed, std::map<Index, I
     {
       patch.Points.push_back(this->Points.PlaceOf(point));
       const auto own = std::find(sheet.Inside.begin(), sheet.Inside.end(), point);
-      const Point3 normal = own == sheet.Inside.end()
-        ? Point3{ 0.0, 0.0, 0.0 } // surfaces meet there at an edge
-        : sheet.Normals[own - sheet.Inside.begin()];
+      const Point3 normal = own == sheet.Inside.end() ? Point3{ 0.0, 0.0, 0.0 }
+                                                      // surfaces meet there at an edge
+                                                      : sheet.Normals[own - sheet.Inside.begin()];
       patch.Normals.push_back(isReversed ? -1.0 * normal : normal);
     }
     return at->second;

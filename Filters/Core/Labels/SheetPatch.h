@@ -79,13 +79,14 @@ private:
   struct Outline;
 
   void AddPath(const SheetBorder& border, Index from, Index to, Outline& outline) const;
-  void AddCurve(const JunctionCurve& curve, Index from, const CellEdge& beside, Outline& outline) const;
+  void AddCurve(
+    const JunctionCurve& curve, Index from, const CellEdge& beside, Outline& outline) const;
   const Sheet& FindSheet(const Outline& outline, bool& isReversed);
   Sheet MakeSheet(const Outline& outline);
   bool MakeSmooth(const Outline& outline, Sheet& sheet);
   void MakeFan(const Outline& outline, Sheet& sheet);
-  void Append(const Sheet& sheet, bool isReversed, std::map<Index, Index>& corner,
-    InnerPatch& patch) const;
+  void Append(
+    const Sheet& sheet, bool isReversed, std::map<Index, Index>& corner, InnerPatch& patch) const;
 
   const SpatialGrid& Grid;
   SmoothPatchBuilder Smooth;

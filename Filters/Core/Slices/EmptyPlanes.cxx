@@ -22,8 +22,8 @@ std::vector<std::array<double, 2>> RangesAlong(int axis, const Contours& contour
       continue;
     }
     const auto& along = FirstAxis(contours.Axis[contour]) == axis ? contours.U : contours.V;
-    const auto ends = std::minmax_element(along.begin() + contours.Offsets[contour],
-      along.begin() + contours.Offsets[contour + 1]);
+    const auto ends = std::minmax_element(
+      along.begin() + contours.Offsets[contour], along.begin() + contours.Offsets[contour + 1]);
     ranges.push_back({ *ends.first, *ends.second });
   }
   std::sort(ranges.begin(), ranges.end());

@@ -148,9 +148,8 @@ Contours MakeVirtualSlices(
   const SpatialGrid& grid = source.Grid;
   KeepWithin(grid, surface.Points);
   const Precision precision = grid.SinglePrecision ? Precision::Single : Precision::Double;
-  const VirtualPlanes planes = source.Planes != nullptr
-    ? *source.Planes
-    : ChooseVirtualPlanes(grid, BoxOf(surface), density);
+  const VirtualPlanes planes =
+    source.Planes != nullptr ? *source.Planes : ChooseVirtualPlanes(grid, BoxOf(surface), density);
   const double tolerance =
     ThinTolerance * std::min({ density.Spacing(0), density.Spacing(1), density.Spacing(2) });
   for (int axis = 0; axis < 3; ++axis)
