@@ -7,6 +7,7 @@
 #include "Bridge/CarryFieldData.h"
 #include "Bridge/CompareOthers.h"
 #include "Bridge/CutAtBorder.h"
+#include "Bridge/DescribeLabels.h"
 #include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
@@ -300,6 +301,7 @@ bool vtkOrthogonalSliceReconstruction::WriteLabels(orthoslices::LabelSurfaces&& 
 {
   orthoslices::LabelOutputs appended(labels, outputs);
   std::ostringstream refused, report;
+  report << orthoslices::DescribeOverlaps(surfaces.Overlaps, labels);
   bool any = false;
   const double share = (1.0 - ProgressBeforeSurface) / labels.Count();
   for (orthoslices::Index label = 0; label < labels.Count(); ++label)

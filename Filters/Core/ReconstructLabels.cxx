@@ -23,6 +23,11 @@ namespace
 /// Gaps and overlaps of contours are slivers if they are thinner, in spacings of the planes.
 constexpr double ThinGap = 0.01;
 
+/// Labels overlap if that much of the smaller one is common to both; one that is within the other one to
+/// that much is meant to be.
+constexpr double LeastOverlap = 0.001;
+constexpr double MostOverlap = 0.98;
+
 /// How many times slices and labels are made to agree: what one of them changes, the other one has to
 /// follow.
 constexpr int RoundsOfAgreement = 2;
@@ -75,6 +80,16 @@ std::set<Point3> RoundAll(const std::set<Point3>& points, double quantum)
   return rounded;
 }
 
+/// Components and handles, once patches of several cycles have given way to others.
+void CountComponents(Reconstruction& result)
+{
+  SurfaceComponents components = MeasureTopology(GeometryOf(result), result.Surface.Meshes);
+  result.Topology = components.Topology;
+  result.Graph.Component = std::move(components.OfPart);
+  result.Graph.Components = components.Topology.Components;
+}
+
+/// Runs the stages of all labels; see ReconstructLabels.
 class LabelRunner
 {
 public:
@@ -84,6 +99,7 @@ public:
   /// False: stopped.
   bool Run();
   std::vector<Reconstruction> TakeResults();
+  std::vector<LabelOverlap> FindOverlaps() const;
   CommonCellCounts Counts;
 
 private:
@@ -388,6 +404,13 @@ void LabelRunner::SettleCells()
     }
   }
   this->Counts = SettleCommonCells(structures, this->Settings.Patching, this->Execute);
+  for (LabelPass& pass : this->Passes)
+  {
+    if (pass.IsRead)
+    {
+      CountComponents(pass.Stages.Result);
+    }
+  }
 }
 
 bool LabelRunner::Run()
@@ -426,6 +449,31 @@ bool LabelRunner::Run()
   return true;
 }
 
+std::vector<LabelOverlap> LabelRunner::FindOverlaps() const
+{
+  std::vector<Index> labels; // of the structures that were compared
+  for (std::size_t i = 0; i < this->Passes.size(); ++i)
+  {
+    if (this->Passes[i].IsRead)
+    {
+      labels.push_back(static_cast<Index>(i));
+    }
+  }
+  std::vector<LabelOverlap> overlaps;
+  for (const auto& [pair, area] : this->Borders.Areas.OfPair)
+  {
+    const std::vector<double>& areas = this->Borders.Areas.OfStructure;
+    const double share = area / std::min(areas[pair.first], areas[pair.second]);
+    if (share > LeastOverlap && share < MostOverlap)
+    {
+      overlaps.push_back({ labels[pair.first], labels[pair.second], share });
+    }
+  }
+  std::stable_sort(overlaps.begin(), overlaps.end(),
+    [](const LabelOverlap& a, const LabelOverlap& b) { return a.Share > b.Share; });
+  return overlaps;
+}
+
 std::vector<Reconstruction> LabelRunner::TakeResults()
 {
   std::vector<Reconstruction> results;
@@ -449,6 +497,7 @@ LabelSurfaces ReconstructLabels(
   }
   surfaces.OfLabel = runner.TakeResults();
   surfaces.Cells = runner.Counts;
+  surfaces.Overlaps = runner.FindOverlaps();
   for (std::size_t i = 0; i < labels.size(); ++i)
   {
     ReturnToWorld(std::move(labels[i]), surfaces.OfLabel[i]);
