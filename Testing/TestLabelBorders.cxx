@@ -203,7 +203,7 @@ void AddVertex(int axis, double u, double v, double w, vtkPoints* points)
 /// the slice, is less (`side` -1) or more (1) than a border: an arc and the straight line between its ends.
 void AddPart(int axis, int x, double radius, double border, int side, double w, vtkPolyData* data)
 {
-  constexpr int parts = 40;
+  constexpr int parts = 200;
   const vtkIdType first = data->GetNumberOfPoints();
   const double half = std::acos(std::clamp(side * border / radius, -1.0, 1.0));
   const auto add = [&](double along, double across)

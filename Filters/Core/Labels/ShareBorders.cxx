@@ -56,8 +56,7 @@ private:
   void FindJunctions(const PlaneWalks& walks, const PlaneFaces& faces);
   bool HasChanged(Index structure, const PlaneWalks& walks) const;
   std::vector<std::uint8_t> InsideOf(Index structure) const;
-  Contours Trace(const PlaneWalks& walks, const PlaneFaces& faces,
-    const std::vector<std::uint8_t>& inside) const;
+  Contours Trace(const PlaneWalks& walks, const PlaneFaces& faces, Index structure) const;
 
   const std::vector<Contours*>& Structures;
   const std::vector<Member>& Members;
@@ -296,33 +295,6 @@ bool SliceSharer::HasChanged(Index structure, const PlaneWalks& walks) const
   return false;
 }
 
-Contours SliceSharer::Trace(
-  const PlaneWalks& walks, const PlaneFaces& faces, const std::vector<std::uint8_t>& inside) const
-{
-  Contours made;
-  for (const TracedLoop& loop : TraceRegion(walks, faces, inside))
-  {
-    if (loop.Points.size() < 3)
-    {
-      continue;
-    }
-    const Contours& from = *this->Structures[this->Members[loop.Walk].Structure];
-    const Index source = this->Members[loop.Walk].Contour;
-    for (const Point2& p : loop.Points)
-    {
-      made.U.push_back(p[0]);
-      made.V.push_back(p[1]);
-    }
-    made.Offsets.push_back(static_cast<Index>(made.U.size()));
-    made.Axis.push_back(from.Axis[source]);
-    made.Coordinate.push_back(from.Coordinate[source]);
-    made.Plane.push_back(from.Plane[source]);
-    made.Cell.push_back(from.Cell[source]);
-    made.Virtual.push_back(from.IsVirtual(source) ? 1 : 0);
-  }
-  return made;
-}
-
 /// 1 for the faces that are inside a structure; inside any, if it is -1.
 std::vector<std::uint8_t> SliceSharer::InsideOf(Index structure) const
 {
@@ -334,6 +306,41 @@ std::vector<std::uint8_t> SliceSharer::InsideOf(Index structure) const
     inside.push_back(isIn ? 1 : 0);
   }
   return inside;
+}
+
+/// The contours of a structure, or those around all of them, if it is -1. They are contours of the input
+/// if these are of that structure.
+Contours SliceSharer::Trace(const PlaneWalks& walks, const PlaneFaces& faces, Index structure) const
+{
+  Index first = -1; // contour of the structure
+  for (auto member = this->Members.rbegin(); member != this->Members.rend(); ++member)
+  {
+    first = member->Structure == structure ? member->Contour : first;
+  }
+  const Contours& from = *this->Structures[std::max<Index>(structure, 0)];
+  const Member& any = this->Members.front();
+  Contours made;
+  for (const TracedLoop& loop : TraceRegion(walks, faces, this->InsideOf(structure)))
+  {
+    if (loop.Points.size() < 3)
+    {
+      continue;
+    }
+    const Member& drawn = this->Members[loop.Walk];
+    const Index source = drawn.Structure == structure ? drawn.Contour : first;
+    for (const Point2& p : loop.Points)
+    {
+      made.U.push_back(p[0]);
+      made.V.push_back(p[1]);
+    }
+    made.Offsets.push_back(static_cast<Index>(made.U.size()));
+    made.Axis.push_back(this->Structures[any.Structure]->Axis[any.Contour]);
+    made.Coordinate.push_back(this->Structures[any.Structure]->Coordinate[any.Contour]);
+    made.Plane.push_back(source < 0 ? 0 : from.Plane[source]);
+    made.Cell.push_back(source < 0 ? -1 : from.Cell[source]);
+    made.Virtual.push_back(source >= 0 && from.IsVirtual(source) ? 1 : 0);
+  }
+  return made;
 }
 
 SharedSlice SliceSharer::Run()
@@ -350,13 +357,12 @@ SharedSlice SliceSharer::Run()
   this->Reassign(faces);
   this->Report();
   this->FindJunctions(walks, faces);
-  this->Result.Found.Union = this->Trace(walks, faces, this->InsideOf(-1));
+  this->Result.Found.Union = this->Trace(walks, faces, -1);
   for (Index structure = 0; structure < static_cast<Index>(this->Structures.size()); ++structure)
   {
     if (this->HasChanged(structure, walks))
     {
-      this->Result.New.emplace_back(
-        structure, this->Trace(walks, faces, this->InsideOf(structure)));
+      this->Result.New.emplace_back(structure, this->Trace(walks, faces, structure));
     }
   }
   return std::move(this->Result);
