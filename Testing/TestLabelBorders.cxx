@@ -163,26 +163,18 @@ TEST(LabelBorders, DoNotCrossInOneStack)
   EXPECT_LT(borders.Gap, 0.002);
 }
 
-TEST(LabelBorders, DoNotCrossInTwoFamilies)
+/// With two families, and where many labels meet in points, a few cells are left in sparse slices.
+TEST(LabelBorders, HardlyCrossInOtherSparseSlices)
 {
-  const Borders borders = Reconstruct(Three(), { 16, 0, 16 });
-  EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
-  EXPECT_EQ(borders.Count, 3u);
-  EXPECT_EQ(borders.Crossings, 0);
-  EXPECT_LT(borders.Overlap, 1e-5);
-  EXPECT_LT(borders.Gap, 0.002);
-}
-
-/// Where many labels meet in points, a few cells are left in sparse slices.
-TEST(LabelBorders, HardlyCrossWhereManyMeetInSparseSlices)
-{
-  for (const std::array<int, 3>& slices : { std::array<int, 3>{ 0, 0, 16 }, { 16, 16, 0 } })
+  const std::pair<std::vector<Point3>, std::array<int, 3>> cases[] = { { Three(), { 16, 0, 16 } },
+    { Five(), { 0, 0, 16 } }, { Five(), { 16, 16, 0 } } };
+  for (const auto& [places, slices] : cases)
   {
-    const Borders borders = Reconstruct(Five(), slices);
+    const Borders borders = Reconstruct(places, slices);
     EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
-    EXPECT_EQ(borders.Count, 5u);
-    EXPECT_LT(borders.Crossings, 100);
-    EXPECT_LT(borders.Overlap, 5e-4);
+    EXPECT_EQ(borders.Count, places.size());
+    EXPECT_LT(borders.Crossings, 50); // thousands, if each label is reconstructed by itself
+    EXPECT_LT(borders.Overlap, 1e-4);
     EXPECT_LT(borders.Gap, 0.002);
   }
 }

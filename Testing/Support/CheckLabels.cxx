@@ -118,14 +118,14 @@ std::int64_t CountLabelCrossings(const TriangleMesh& mesh, const std::vector<int
   std::vector<std::size_t> order(corners.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
-    [&](std::size_t a, std::size_t b) { return boxes[a].Low[0] < boxes[b].Low[0]; });
+    [&](std::size_t a, std::size_t b) { return boxes[a].Low[1] < boxes[b].Low[1]; });
   std::int64_t crossings = 0;
   for (auto a = order.begin(); a != order.end(); ++a)
   {
-    for (auto b = a + 1; b != order.end() && boxes[*b].Low[0] <= boxes[*a].High[0]; ++b)
+    for (auto b = a + 1; b != order.end() && boxes[*b].Low[1] <= boxes[*a].High[1]; ++b)
     {
       const bool mayCross =
-        labels[*a] != labels[*b] && boxes[*a].Meets(boxes[*b], 1) && boxes[*a].Meets(boxes[*b], 2);
+        labels[*a] != labels[*b] && boxes[*a].Meets(boxes[*b], 0) && boxes[*a].Meets(boxes[*b], 2);
       crossings +=
         mayCross && (Pierces(corners[*a], corners[*b]) || Pierces(corners[*b], corners[*a])) ? 1
                                                                                              : 0;
