@@ -153,7 +153,7 @@ void ReadContour(
 }
 }
 
-Contours ReadVirtual(const Reconstruction& result)
+Contours ReadVirtual(const Reconstruction& result, const SpatialGrid& known)
 {
   Contours contours;
   const GridEdgeCode code(result.Grid);
@@ -181,6 +181,14 @@ Contours ReadVirtual(const Reconstruction& result)
       CloseVirtual(axis, result.Grid.Planes[axis][isolated.Plane[i]], contours);
     }
   }
+  std::vector<std::uint8_t> isKnown;
+  for (Index i = 0; i < contours.Count(); ++i)
+  {
+    const std::vector<double>& planes = known.Planes[contours.Axis[i]];
+    isKnown.push_back(
+      std::binary_search(planes.begin(), planes.end(), contours.Coordinate[i]) ? 1 : 0);
+  }
+  RemoveMarked(isKnown, contours);
   return contours;
 }
 }

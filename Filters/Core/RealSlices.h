@@ -28,8 +28,8 @@ void RemoveContours(
 void TakeReport(
   const Reconstruction& first, const std::vector<Index>& leftOut, Reconstruction& result);
 
-/// The contours of virtual slices as they are in the graph G.
-Contours ReadVirtual(const Reconstruction& result);
+/// The contours of virtual slices as they are in the graph G, but for planes that `known` has.
+Contours ReadVirtual(const Reconstruction& result, const SpatialGrid& known);
 }
 
 #endif

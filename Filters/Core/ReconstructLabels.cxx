@@ -222,6 +222,7 @@ void LabelRunner::FindPlanes()
   for (int axis = 0; axis < 3; ++axis)
   {
     std::vector<double>& planes = this->Planes[axis];
+    planes.clear();
     for (const LabelPass& pass : this->Passes)
     {
       const std::vector<double>& own = pass.Stages.Result.Grid.Planes[axis];
@@ -346,6 +347,14 @@ bool LabelRunner::MakeSparse(const SliceDensity& density)
     {
       passes.push_back(&pass);
     }
+  }
+  if (this->Settings.Ends == EndCaps::HalfSlice)
+  {
+    for (LabelPass* pass : passes)
+    {
+      pass->Stages.AddEndSlices();
+    }
+    this->FindPlanes();
   }
   for (std::size_t i = 0; i < passes.size(); ++i)
   {

@@ -208,7 +208,7 @@ bool SparseStructure::Redraw()
     this->First.Result.Stopped = true;
     return false;
   }
-  this->Virtual = ReadVirtual(again.Result);
+  this->Virtual = ReadVirtual(again.Result, this->First.Result.Grid);
   return true;
 }
 
