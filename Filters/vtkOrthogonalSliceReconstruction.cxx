@@ -7,6 +7,7 @@
 #include "Bridge/CarryFieldData.h"
 #include "Bridge/CompareOthers.h"
 #include "Bridge/CutAtBorder.h"
+#include "Bridge/DescribeLabels.h"
 #include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
@@ -18,8 +19,7 @@
 #include "Bridge/WriteSurface.h"
 #include "Bridge/WriteTables.h"
 #include "Core/Frames/SplitByLabel.h"
-#include "Core/Patches/SharedPatches.h"
-#include "Core/ReconstructSorted.h"
+#include "Core/ReconstructLabels.h"
 
 #include "vtkCellData.h"
 #include "vtkExecutive.h"
@@ -186,39 +186,40 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   return done ? 1 : 0;
 }
 
-/// One structure: the outputs, or the reason why there are none, and what else to tell the user.
-vtkOrthogonalSliceReconstruction::Outcome vtkOrthogonalSliceReconstruction::Reconstruct(
-  orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
+/// The outputs of one structure, or the reason why there are none, and what else to tell the user.
+/// False if there are none.
+bool vtkOrthogonalSliceReconstruction::WriteResult(orthoslices::Reconstruction&& result,
+  const orthoslices::Polylines& others, const orthoslices::Options& options,
   const std::function<vtkInformationVector*()>& outputs, std::string& text)
 {
-  const orthoslices::Polylines others = sorted.Others;
-  orthoslices::Reconstruction result =
-    orthoslices::ReconstructSorted(std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
-  if (result.Stopped)
-  {
-    return Outcome::Stopped;
-  }
   text = this->DescribeFailure(result);
   if (!text.empty())
   {
-    return Outcome::Failed;
+    return false;
   }
   text = this->Report(result);
   const std::vector<std::uint8_t> guiding = result.Guiding;
   vtkInformationVector* target = outputs();
   this->WriteOutputs(std::move(result), !options.SinglePrecision, target);
   text += this->CompareOthers(others, guiding, target);
-  return Outcome::Done;
+  return true;
 }
 
 /// One surface of all contours. False, with empty outputs, if they are refused.
 bool vtkOrthogonalSliceReconstruction::ReconstructAll(orthoslices::SortedSlices&& sorted,
   const orthoslices::Options& options, vtkInformationVector* outputs)
 {
+  const orthoslices::Polylines others = sorted.Others;
+  orthoslices::Reconstruction result =
+    orthoslices::ReconstructSorted(std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
+  if (result.Stopped)
+  {
+    return true;
+  }
   std::string text;
-  const Outcome outcome = this->Reconstruct(
-    std::move(sorted), options, [outputs]() { return outputs; }, text);
-  if (outcome == Outcome::Failed)
+  const bool done = this->WriteResult(
+    std::move(result), others, options, [outputs]() { return outputs; }, text);
+  if (!done)
   {
     vtkErrorMacro(<< text);
   }
@@ -226,7 +227,7 @@ bool vtkOrthogonalSliceReconstruction::ReconstructAll(orthoslices::SortedSlices&
   {
     vtkWarningMacro(<< text);
   }
-  return outcome != Outcome::Failed;
+  return done;
 }
 
 namespace
@@ -272,38 +273,51 @@ orthoslices::ContourLabels vtkOrthogonalSliceReconstruction::ReadLabels(
   return labels;
 }
 
-/// One surface for each label, one after another; labels that are refused do not cost the others.
-/// False, with empty outputs, if all are refused.
+/// One surface for each label; labels that are refused do not cost the others. False, with empty
+/// outputs, if all are refused.
 bool vtkOrthogonalSliceReconstruction::ReconstructLabels(orthoslices::SortedSlices&& sorted,
   const orthoslices::ContourLabels& labels, const orthoslices::Options& options,
   vtkInformationVector* outputs)
 {
   std::vector<orthoslices::SortedSlices> parts =
     orthoslices::SplitByLabel(sorted, labels.OfLine, labels.Count());
-  const double all = std::max<double>(1.0, orthoslices::CountVertices(sorted));
   sorted = orthoslices::SortedSlices();
+  std::vector<orthoslices::Polylines> others;
+  for (orthoslices::SortedSlices& part : parts)
+  {
+    others.push_back(std::move(part.Others));
+  }
+  orthoslices::LabelSurfaces surfaces;
+  {
+    const ShareOfProgress progress(this, 0.0, ProgressBeforeSurface);
+    surfaces =
+      orthoslices::ReconstructLabels(std::move(parts), options, orthoslices::ExecuteWithVtk(this));
+  }
+  return surfaces.Stopped ||
+    this->WriteLabels(std::move(surfaces), others, labels, options, outputs);
+}
+
+/// The outputs of all labels that have a surface, appended.
+bool vtkOrthogonalSliceReconstruction::WriteLabels(orthoslices::LabelSurfaces&& surfaces,
+  const std::vector<orthoslices::Polylines>& others, const orthoslices::ContourLabels& labels,
+  const orthoslices::Options& options, vtkInformationVector* outputs)
+{
   orthoslices::LabelOutputs appended(labels, outputs);
-  orthoslices::SharedPatches shared;
-  orthoslices::Options settings = options;
-  settings.Patching.Shared = &shared;
   std::ostringstream refused, report;
-  double before = 0.0;
+  report << orthoslices::DescribeOverlaps(surfaces.Overlaps, labels);
   bool any = false;
+  const double share = (1.0 - ProgressBeforeSurface) / labels.Count();
   for (orthoslices::Index label = 0; label < labels.Count(); ++label)
   {
-    const double share = orthoslices::CountVertices(parts[label]) / all;
-    const ShareOfProgress progress(this, before, share);
-    before += share;
+    const ShareOfProgress progress(this, ProgressBeforeSurface + share * label, share);
     std::string text;
-    const Outcome outcome = this->Reconstruct(
-      std::move(parts[label]), settings, [&]() { return appended.Next(label); }, text);
-    if (outcome == Outcome::Stopped)
-    {
-      return true;
-    }
-    any |= outcome == Outcome::Done;
+    const bool done = this->WriteResult(
+      std::move(surfaces.OfLabel[label]), others[label], options,
+      [&]() { return appended.Next(label); }, text);
+    surfaces.OfLabel[label] = orthoslices::Reconstruction();
+    any |= done;
     const std::string name = "\nLabel " + labels.NameOf(label);
-    if (outcome == Outcome::Failed)
+    if (!done)
     {
       refused << name << " has no surface: " << text;
     }

@@ -164,15 +164,17 @@
  * its surface.
  *
  * @section Labels Labels
- * With LabelArray, each label is reconstructed from its contours alone, as in a run of its own but
- * with common axes of the slices, and the outputs of all labels are appended in ascending order of
- * labels. Every surface is closed by itself: no points are shared between labels. Where the contours
- * of two labels have the same vertices, around a cell of M, the patches of both have the same
- * triangles, so that neighbours with common borders neither overlap nor leave gaps there. Ports 0 and
+ * With LabelArray, each label is reconstructed from its contours, with common axes of the slices, and
+ * the outputs of all labels are appended in ascending order of labels. Every surface is closed by
+ * itself: no points are shared between labels. Labels that stay clear of each other have the surfaces of
+ * runs of their own. Where contours of labels run along each other, to within a hundredth of the
+ * spacing, the surfaces have the same triangles, and where they do not cross, no triangles of two labels
+ * do; Filters/Core/README.md says what is left. Labels whose contours overlap keep them, and a warning
+ * names those that overlap most. Ports 0 and
  * 1 have the cell data "Label", of the type of the input's array; names stand as their number (int) in the
  * field data "LabelNames" (vtkStringArray) of port 0. The tables of ports 2 to 7 have a first column
  * "Label", the number or the name. "ComponentId" runs on from label to label, field data that count
- * are of all labels together, "SlicePlane" and "GridCell" count the planes of the label. Port 0 also
+ * are of all labels together, "SlicePlane" and "GridCell" count the planes of the label, with those of its neighbours next to it. Port 0 also
  * has the field data "LabelNames" (of numbers their text), "LabelArea" and "LabelVolume" (double), one
  * value for each label. Fractions of a diagonal are those of the box around the contours of a label.
  *
@@ -228,6 +230,7 @@ namespace orthoslices
 {
 struct ContourLabels;
 struct FrameOptions;
+struct LabelSurfaces;
 struct Options;
 struct Polylines;
 struct Reconstruction;
@@ -802,19 +805,17 @@ private:
   void GetOptions(orthoslices::Options& options) const;
   orthoslices::ContourLabels ReadLabels(
     vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
-  enum class Outcome
-  {
-    Done,
-    Stopped,
-    Failed
-  };
-  Outcome Reconstruct(orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
-    const std::function<vtkInformationVector*()>& outputs, std::string& text);
+  bool WriteResult(orthoslices::Reconstruction&& result, const orthoslices::Polylines& others,
+    const orthoslices::Options& options, const std::function<vtkInformationVector*()>& outputs,
+    std::string& text);
   bool ReconstructAll(orthoslices::SortedSlices&& sorted, const orthoslices::Options& options,
     vtkInformationVector* outputs);
   bool ReconstructLabels(orthoslices::SortedSlices&& sorted,
     const orthoslices::ContourLabels& labels, const orthoslices::Options& options,
     vtkInformationVector* outputs);
+  bool WriteLabels(orthoslices::LabelSurfaces&& surfaces,
+    const std::vector<orthoslices::Polylines>& others, const orthoslices::ContourLabels& labels,
+    const orthoslices::Options& options, vtkInformationVector* outputs);
   bool UsesLabels() const { return !this->LabelArray.empty() && this->LabelArray != "None"; }
   std::string DescribeFailure(const orthoslices::Reconstruction& result) const;
   std::string Report(orthoslices::Reconstruction& result) const;

@@ -85,7 +85,8 @@ bool BuildGraph(Pass& pass)
   Contours& contours = pass.Tables.Contours;
   std::vector<double>& normals = pass.Tables.NodeNormals;
   result.Graph = BuildNodeGraph(
-    { contours, result.Grid, result.Crossings, result.Nodes }, pass.Tables.Tolerance, pass.Execute);
+    { contours, result.Grid, result.Crossings, result.Nodes, pass.Settings.Junctions },
+    pass.Tables.Tolerance, pass.Execute);
   normals = ComputeNodeNormals(contours, result.Grid, result.Crossings, result.Nodes, pass.Execute);
   result.Isolated =
     CopyIsolated(pass.Tables.IsolatedParts, contours, result.Crossings, DoSlicesAgree(result));
@@ -137,10 +138,9 @@ bool DoSlicesAgree(const Reconstruction& result)
     maximum * maximum * spacing * spacing * CountRealNodes(grid, result.Crossings, result.Nodes);
 }
 
-bool ConnectContours(Pass& pass)
-{
-  return MakeSlicesAgree(pass) && BuildGraph(pass) && PatchCells(pass);
-}
+bool DrawGraph(Pass& pass) { return MakeSlicesAgree(pass) && BuildGraph(pass); }
+
+bool ConnectContours(Pass& pass) { return DrawGraph(pass) && PatchCells(pass); }
 
 /// Normals along the contours, and the inside of the patches (section 5).
 bool FillCycles(const PatchOptions& patching, Pass& pass)

@@ -7,6 +7,9 @@
 
 namespace orthoslices
 {
+/// The first part of ConnectContours: slices that agree, and the graph G. False: stopped.
+bool DrawGraph(Pass& pass);
+
 /// From contours to the cycles of all cells and how they are joined (the paper's section 4): crossings,
 /// agreement of the slices, graph, patches without their inside, and the report. False: stopped.
 bool ConnectContours(Pass& pass);

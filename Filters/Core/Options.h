@@ -15,6 +15,8 @@
 #include "Core/Slices/OrientContours.h"
 #include "Core/Sparse/GuideCurves.h"
 
+#include <set>
+
 namespace orthoslices
 {
 /// What happens to contours that cross themselves or another one of their slice.
@@ -48,14 +50,15 @@ struct Options
   Orientation Orient = Orientation::ByNesting;
   InvalidContours Invalid = InvalidContours::Mend;
   BorderContours AtBorder = BorderContours::CloseAlong; ///< with InvalidContours::Mend
-  Box3 GivenBorder; ///< of the image, along the axes; of an axis along which it is empty, it is found
+  Box3
+    GivenBorder; ///< of the image, along the axes; of an axis along which it is empty, it is found
   CrossingContours Crossing = CrossingContours::Repair;
   LoopRule Loops = LoopRule::Union; ///< with Repair
   double RedrawnShare = 0.05;       ///< of the thickness of contours; see RemoveRedrawn
-  bool SinglePrecision = false; ///< the result will be stored as float
-  double Quantum = 0.0;         ///< see SpatialGrid; 0: coordinates are not rounded on its account
-  AxisFrame Metric;             ///< see SpatialGrid
-  bool InsertMissing = true;    ///< contours that slices lack; see FindMissingContours
+  bool SinglePrecision = false;     ///< the result will be stored as float
+  double Quantum = 0.0;      ///< see SpatialGrid; 0: coordinates are not rounded on its account
+  AxisFrame Metric;          ///< see SpatialGrid
+  bool InsertMissing = true; ///< contours that slices lack; see FindMissingContours
   AxisWeights Weights{ 1.0, 1.0, 1.0 };
   CentralPointMethod Central = CentralPointMethod::LeastSquares;
   SeveralCycles Several = SeveralCycles::ByEvidence;
@@ -63,7 +66,9 @@ struct Options
     CorrespondenceCriterion::ByEvidence; ///< with SeveralCycles::ByEvidence
   PriorKnowledge Known;
   PatchOptions Patching;
-  EndCaps Ends = EndCaps::Dome; ///< of one family of slices; others show their ends themselves
+  /// Vertices at which contours of several structures part, so that they stay; see ArcSource.
+  const std::set<Point3>* Junctions = nullptr;
+  EndCaps Ends = EndCaps::Dome;  ///< of one family of slices; others show their ends themselves
   double Smoothing = 0.0;        ///< of contours, in mean plane spacings; see SmoothContours
   double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
   VirtualSlices Virtual = VirtualSlices::Off;

@@ -4,6 +4,7 @@
 
 #include "Core/CheckInvariants.h"
 #include "Core/RealSlices.h"
+#include "Core/Slices/EmptyPlanes.h"
 #include "Core/Slices/EndSlices.h"
 #include "Core/Sparse/SelectContours.h"
 
@@ -21,6 +22,7 @@ Pass::Pass(const Pass& first, Contours&& contours)
   this->Tables.Contours = std::move(contours);
   this->Inserted = first.Inserted;
   this->Bounds = first.Bounds;
+  this->OtherPlanes = first.OtherPlanes;
   Reconstruction& result = this->Result;
   result.Invalid = first.Result.Invalid;
   result.CrossingProblems = first.Result.CrossingProblems;
@@ -75,6 +77,10 @@ void Pass::BuildGrid()
   this->Result.Grid.BothWays = this->Settings.Patching.Shared != nullptr;
   LimitBounds(this->Tables.Border, this->Result.Grid);
   LimitBoundsTo(this->Bounds, this->Result.Grid);
+  if (this->OtherPlanes != nullptr)
+  {
+    AddEmptyPlanes(*this->OtherPlanes, this->Tables.Contours, this->Result.Grid);
+  }
 }
 
 void Pass::AddEndSlices()

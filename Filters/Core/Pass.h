@@ -46,6 +46,13 @@ public:
 
   void BuildGrid();
 
+  /// Planes of other structures, for grids that are built from now on; see AddEmptyPlanes. They have to
+  /// outlive this.
+  void SetOtherPlanes(const std::array<std::vector<double>, 3>& planes)
+  {
+    this->OtherPlanes = &planes;
+  }
+
   /// The slices of an only family end half a slice farther: with copies of the first and the last
   /// one, which are virtual. See CopyEndSlices.
   void AddEndSlices();
@@ -65,7 +72,8 @@ public:
   Reconstruction Result;
 
 private:
-  Box3 Bounds = Everywhere();  ///< of the surface, where slices were added at its ends,
+  Box3 Bounds = Everywhere(); ///< of the surface, where slices were added at its ends,
+  const std::array<std::vector<double>, 3>* OtherPlanes = nullptr;
   bool OwnsVirtual = false;    ///< slices were added by this pass: else another one made the report
   double From = 0.0, To = 1.0; ///< progress of the whole at 0 and 1 of the part at work
 };

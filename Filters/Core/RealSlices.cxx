@@ -106,4 +106,89 @@ void TakeReport(
   }
   AppendLeftOut(first, leftOut, result);
 }
+
+namespace
+{
+/// Ends a contour of a virtual slice whose points have been added.
+void CloseVirtual(int axis, double coordinate, Contours& contours)
+{
+  contours.Offsets.push_back(static_cast<Index>(contours.U.size()));
+  contours.Axis.push_back(static_cast<std::int8_t>(axis));
+  contours.Coordinate.push_back(coordinate);
+  contours.Plane.push_back(0);
+  contours.Cell.push_back(-1);
+  contours.Virtual.push_back(1);
+}
+
+void AddPoint(int axis, const Point3& point, Contours& contours)
+{
+  const double u = point[FirstAxis(axis)], v = point[SecondAxis(axis)];
+  const bool isNew = static_cast<Index>(contours.U.size()) == contours.Offsets.back() ||
+    contours.U.back() != u || contours.V.back() != v;
+  if (isNew)
+  {
+    contours.U.push_back(u);
+    contours.V.push_back(v);
+  }
+}
+
+/// The contour that an arc is part of, with all of its arcs.
+void ReadContour(
+  const Reconstruction& result, Index arc, std::vector<std::uint8_t>& isRead, Contours& contours)
+{
+  const GridCrossings& crossings = result.Crossings;
+  const GridEdge edge = GridEdgeCode(result.Grid).Decode(crossings.Edge[arc]);
+  const bool isFirst = crossings.Family[arc] == 0;
+  const int axis = isFirst ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction);
+  for (Index next = arc; isRead[next] == 0; next = crossings.Next[next])
+  {
+    isRead[next] = 1;
+    AddPoint(axis, result.Graph.PointAt(result.Nodes.NodeOf[next]), contours);
+    for (Index i = 0; i < result.Graph.PointCount(next); ++i)
+    {
+      AddPoint(axis, result.Graph.PointAt(result.Graph.FirstPoint(next) + i), contours);
+    }
+  }
+  CloseVirtual(axis, result.Grid.Planes[axis][isFirst ? edge.First : edge.Second], contours);
+}
+}
+
+Contours ReadVirtual(const Reconstruction& result, const SpatialGrid& known)
+{
+  Contours contours;
+  const GridEdgeCode code(result.Grid);
+  std::vector<std::uint8_t> isRead(result.Crossings.Count(), 0);
+  for (Index arc = 0; arc < result.Crossings.Count(); ++arc)
+  {
+    if (!result.Crossings.IsRemoved(arc) && isRead[arc] == 0 &&
+      IsVirtualSlice(
+        result.Grid, code.Decode(result.Crossings.Edge[arc]), result.Crossings.Family[arc]))
+    {
+      ReadContour(result, arc, isRead, contours);
+    }
+  }
+  const IsolatedContours& isolated = result.Isolated;
+  for (Index i = 0; i < isolated.Count(); ++i)
+  {
+    const int axis = isolated.Axis[i];
+    if (result.Grid.IsVirtual(axis, isolated.Plane[i]) && isolated.LeftOut[i] == 0)
+    {
+      for (Index k = isolated.Offsets[i]; k < isolated.Offsets[i + 1]; ++k)
+      {
+        const double* p = isolated.Points.data() + 3 * static_cast<std::size_t>(k);
+        AddPoint(axis, { p[0], p[1], p[2] }, contours);
+      }
+      CloseVirtual(axis, result.Grid.Planes[axis][isolated.Plane[i]], contours);
+    }
+  }
+  std::vector<std::uint8_t> isKnown;
+  for (Index i = 0; i < contours.Count(); ++i)
+  {
+    const std::vector<double>& planes = known.Planes[contours.Axis[i]];
+    isKnown.push_back(
+      std::binary_search(planes.begin(), planes.end(), contours.Coordinate[i]) ? 1 : 0);
+  }
+  RemoveMarked(isKnown, contours);
+  return contours;
+}
 }

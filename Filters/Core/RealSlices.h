@@ -27,6 +27,9 @@ void RemoveContours(
 /// of the first one, and lists the contours that were left out there.
 void TakeReport(
   const Reconstruction& first, const std::vector<Index>& leftOut, Reconstruction& result);
+
+/// The contours of virtual slices as they are in the graph G, but for planes that `known` has.
+Contours ReadVirtual(const Reconstruction& result, const SpatialGrid& known);
 }
 
 #endif

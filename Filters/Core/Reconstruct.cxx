@@ -9,9 +9,7 @@
 
 namespace orthoslices
 {
-namespace
-{
-bool MakeSurface(Pass& pass)
+bool ReconstructContours(Pass& pass)
 {
   const SparseSlices sparse(pass); // of the slices of the input
   if (pass.Settings.Ends == EndCaps::HalfSlice && !pass.Result.InsideOut)
@@ -25,14 +23,13 @@ bool MakeSurface(Pass& pass)
   return sparse.Any() ? MakeSparseSurface(sparse, pass)
                       : ConnectContours(pass) && FillCycles(pass.Settings.Patching, pass);
 }
-}
 
 Reconstruction Reconstruct(std::array<Pieces, 3>&& pieces, const Options& options,
   const Execution& execution, const StageObserver& observer)
 {
   Pass pass(options, execution, observer);
   // Each part says whether to go on.
-  static_cast<void>(ReadSlices(std::move(pieces), pass) && MakeSurface(pass));
+  static_cast<void>(ReadSlices(std::move(pieces), pass) && ReconstructContours(pass));
   return std::move(pass.Result);
 }
 }

@@ -78,6 +78,11 @@ namespace orthoslices
  */
 Reconstruction Reconstruct(std::array<Pieces, 3>&& pieces, const Options& options,
   const Execution& execution, const StageObserver& observer = {});
+
+class Pass;
+
+/// The same from contours that ReadSlices has read, to the surface. False: stopped.
+bool ReconstructContours(Pass& pass);
 }
 
 #endif

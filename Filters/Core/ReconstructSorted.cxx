@@ -25,25 +25,6 @@ void MapTriples(std::vector<Number>& triples, Map&& map)
   }
 }
 
-/// A power of 2 to whose multiples coordinates are rounded before they are mapped: 256 steps of double
-/// at the largest of them, far above the rounding of the map; of results in float, 16 steps of float.
-double ChooseQuantum(const std::array<Pieces, 3>& slices, bool singlePrecision)
-{
-  double largest = 0.0;
-  for (const Pieces& pieces : slices)
-  {
-    for (const std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
-    {
-      for (const double value : *values)
-      {
-        largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
-      }
-    }
-  }
-  const int bits = singlePrecision ? 20 : 44;
-  return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) + 1 - bits) : 0.0;
-}
-
 /// What is said of planes, for each of the polylines on them; 0 if it is not said.
 std::vector<std::uint8_t> SpreadOverLines(
   const std::vector<OtherPlane>& planes, const std::vector<std::uint8_t>& ofPlanes, Index count)
@@ -136,25 +117,31 @@ void NameSources(const PolylineSources& from, Reconstruction& result)
 }
 }
 
-Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
-  const Execution& execution, const StageObserver& observer)
+double ChooseQuantum(const SortedSlices& sorted, bool singlePrecision)
 {
-  Options settings = options;
-  if (!sorted.Frame.IsWorld())
+  if (sorted.Frame.IsWorld())
   {
-    settings.Quantum = ChooseQuantum(sorted.Slices, options.SinglePrecision);
+    return 0.0;
   }
-  if (!sorted.Frame.IsRotation())
+  double largest = 0.0;
+  for (const Pieces& pieces : sorted.Slices)
   {
-    settings.Metric = sorted.Frame;
+    for (const std::vector<double>* values : { &pieces.U, &pieces.V, &pieces.W })
+    {
+      for (const double value : *values)
+      {
+        largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
+      }
+    }
   }
-  const std::vector<OtherPlane> planes =
-    FindOtherPlanes(sorted.Others, options.PlaneTolerance * DiagonalOf(sorted.Others));
-  const std::vector<GuideContours> guides =
-    ReadGuides(sorted.Others, planes, sorted.Frame, settings, execution);
-  settings.Guides = guides.empty() ? nullptr : &guides;
-  Reconstruction result = Reconstruct(std::move(sorted.Slices), settings, execution, observer);
-  result.Guiding = SpreadOverLines(planes, result.Guiding, sorted.Others.Count());
+  const int bits = singlePrecision ? 20 : 44;
+  return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) + 1 - bits) : 0.0;
+}
+
+AxisFrame MetricOf(const AxisFrame& frame) { return frame.IsRotation() ? AxisFrame() : frame; }
+
+void ReturnToWorld(SortedSlices&& sorted, Reconstruction& result)
+{
   NameSources(sorted.From, result);
   result.Sources = std::move(sorted.From);
   result.Frame = sorted.Frame;
@@ -163,6 +150,22 @@ Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
     MapSurface(result.Frame, result);
     MapReport(result.Frame, result);
   }
+}
+
+Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
+  const Execution& execution, const StageObserver& observer)
+{
+  Options settings = options;
+  settings.Quantum = ChooseQuantum(sorted, options.SinglePrecision);
+  settings.Metric = MetricOf(sorted.Frame);
+  const std::vector<OtherPlane> planes =
+    FindOtherPlanes(sorted.Others, options.PlaneTolerance * DiagonalOf(sorted.Others));
+  const std::vector<GuideContours> guides =
+    ReadGuides(sorted.Others, planes, sorted.Frame, settings, execution);
+  settings.Guides = guides.empty() ? nullptr : &guides;
+  Reconstruction result = Reconstruct(std::move(sorted.Slices), settings, execution, observer);
+  result.Guiding = SpreadOverLines(planes, result.Guiding, sorted.Others.Count());
+  ReturnToWorld(std::move(sorted), result);
   return result;
 }
 }

@@ -22,6 +22,17 @@ namespace orthoslices
  */
 Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
   const Execution& execution, const StageObserver& observer = {});
+
+/// A power of 2 to whose multiples coordinates are rounded before they are mapped: 256 steps of double
+/// at the largest of them, far above the rounding of the map; of results in float, 16 steps of float. 0
+/// in the frame of the world, where nothing is mapped.
+double ChooseQuantum(const SortedSlices& sorted, bool singlePrecision);
+
+/// What lengths and angles are along the axes of a frame: see SpatialGrid::Metric.
+AxisFrame MetricOf(const AxisFrame& frame);
+
+/// Maps the result of Reconstruct to the world, and names the sources of its contours.
+void ReturnToWorld(SortedSlices&& sorted, Reconstruction& result);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "Core/MakeSurface.h"
 #include "Core/PredictSlices.h"
 #include "Core/RealSlices.h"
+#include "Core/SecondPass.h"
 #include "Core/Slices/EndSlices.h"
 #include "Core/Sparse/FieldSlices.h"
 #include "Core/Sparse/SelectContours.h"
@@ -19,7 +20,7 @@ namespace orthoslices
 namespace
 {
 /// What the second pass adds to the slices, and what has to come of it.
-struct SecondPass
+struct SecondSurface
 {
   Contours Added; ///< virtual ones
   PriorKnowledge Known;
@@ -42,14 +43,13 @@ public:
   bool Run();
 
 private:
-  bool Sketch(Pass& pass) const;
   bool FillFirst();
   bool BendStack();
   bool BendAll();
   bool Bend(const Reconstruction& base, GuideCurves&& guides);
   bool SketchWithoutField(Pass& pass) const;
   bool FollowField();
-  bool RunAgain(SecondPass&& second);
+  bool RunAgain(SecondSurface&& second);
   bool Stop();
 
   const SparseSlices& Sparse;
@@ -62,16 +62,6 @@ bool SparseRunner::Stop()
 {
   this->First.Result.Stopped = true;
   return false;
-}
-
-/// A surface that shows the topology and is going to be bent: with no more triangles than that needs.
-bool SparseRunner::Sketch(Pass& pass) const
-{
-  PatchOptions patching = pass.Settings.Patching;
-  patching.EdgeLength =
-    std::max(patching.EdgeLength, this->Sparse.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
-  patching.Shared = nullptr;
-  return FillCycles(patching, pass);
 }
 
 /// Makes the sketch of the first surface the surface that is wanted.
@@ -92,7 +82,7 @@ bool SparseRunner::BendStack()
   }
   Pass stack(this->First, SelectAxis(this->Drawn, axis, true));
   stack.SetShare(0.485, 0.5);
-  if (!ConnectContours(stack) || !this->Sketch(stack))
+  if (!ConnectContours(stack) || !Sketch(this->Sparse.EdgeLength(), stack))
   {
     return this->Stop();
   }
@@ -151,14 +141,6 @@ std::vector<std::uint8_t> ListGuiding(const Options& settings)
   return guiding;
 }
 
-/// What a second surface has to come out as. Components that were too small are drawn nevertheless,
-/// and must not be joined to others instead.
-PriorKnowledge TopologyOf(const Reconstruction& base)
-{
-  const Index small = base.SmallComponents;
-  return { base.Topology.Components + small, small > 0 ? -1 : base.Topology.Genus };
-}
-
 /// Where a stack ends flat with all that lies on its first or on its last slice: bounds close to it, so that
 /// smooth patches between virtual slices do not bulge there.
 Box3 FlatEndsOf(const Reconstruction& base)
@@ -198,22 +180,16 @@ Box3 FlatEndsOf(const Reconstruction& base)
 }
 
 /// Makes the surface of real and virtual slices, and takes it if its topology is right.
-bool SparseRunner::RunAgain(SecondPass&& second)
+bool SparseRunner::RunAgain(SecondSurface&& second)
 {
   Reconstruction& first = this->First.Result;
   if (first.Stopped || second.Added.Count() == 0)
   {
     return false;
   }
-  const std::vector<IsolatedLoop>& parts = this->First.Tables.IsolatedParts;
-  const std::vector<Index> leftOut = FindLeftOut(first.Isolated, parts);
-  Contours contours = this->Drawn;
-  RemoveContours(leftOut, parts, contours);
-  AddVirtual(second.Added, contours);
-  Pass again(this->First, std::move(contours));
+  std::vector<Index> leftOut;
+  Pass again = SecondPass(this->First, this->Drawn, second.Added, second.Known, leftOut);
   LimitBoundsTo(second.Bounds, again.Result.Grid);
-  again.Settings.Known = second.Known;
-  again.SetShare(0.48, 0.88); // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole
   if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
   {
     return this->Stop();
@@ -252,7 +228,7 @@ bool SparseRunner::SketchWithoutField(Pass& pass) const
   sparse.Bending.Coarsen();
   if (!sparse.Any())
   {
-    return ConnectContours(pass) && this->Sketch(pass);
+    return ConnectContours(pass) && Sketch(this->Sparse.EdgeLength(), pass);
   }
   double& edge = pass.Settings.Patching.EdgeLength;
   edge = std::max(edge, sparse.EdgeLength() / MinMeanSpacing(pass.Result.Grid));
@@ -304,7 +280,7 @@ bool SparseRunner::Run()
     return false;
   }
   this->Centers = this->First.Result.Surface.CentralPoints;
-  if (!this->Sketch(this->First))
+  if (!Sketch(this->Sparse.EdgeLength(), this->First))
   {
     return false;
   }

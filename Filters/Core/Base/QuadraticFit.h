@@ -71,6 +71,19 @@ public:
     return this->Right[0];
   }
 
+  /// What HeightAtOrigin has found.
+  double HeightAt(double x, double y) const
+  {
+    const double* c = this->Right;
+    return c[0] + x * (c[1] + x * c[3] + y * c[4]) + y * (c[2] + y * c[5]);
+  }
+  /// How much the height grows along x and y.
+  std::array<double, 2> SlopesAt(double x, double y) const
+  {
+    const double* c = this->Right;
+    return { c[1] + 2.0 * x * c[3] + y * c[4], c[2] + x * c[4] + 2.0 * y * c[5] };
+  }
+
 private:
   void AddRow(const std::array<double, 6>& row, double value, double weight)
   {

@@ -32,6 +32,13 @@ struct EndShift
   }
 };
 
+/// An end of a part of an arc: where it was, and how it moves.
+struct PartEnd
+{
+  Point3 Place;
+  EndShift Shift;
+};
+
 class GraphBuilder
 {
 public:
@@ -41,6 +48,7 @@ public:
     , Code(source.Grid)
     , Crossings(source.Crossings)
     , Nodes(source.Nodes)
+    , Fixed(source.Fixed)
     , Tolerance(tolerance)
   {
   }
@@ -56,12 +64,14 @@ private:
   Index CountPoints(Index arc) const;
   void WriteArc(Index arc, double* points) const;
   void Fade(Index arc, double* begin, double* end) const;
+  void FadePart(std::array<PartEnd, 2> ends, const std::vector<double*>& points) const;
 
   const Contours& Set;
   const SpatialGrid& Grid;
   GridEdgeCode Code;
   const GridCrossings& Crossings;
   const NodePoints& Nodes;
+  const std::set<Point3>* Fixed;
   double Tolerance;
 };
 
@@ -154,7 +164,7 @@ double Distance(const double* a, const double* b)
   return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }
 
-/// Moves the vertices of an arc with its ends, by shares that are linear along its length.
+/// Moves the vertices of an arc with its ends, part by part between those that are fixed.
 void GraphBuilder::Fade(Index arc, double* begin, double* end) const
 {
   const Index last = this->Crossings.Next[arc];
@@ -169,22 +179,49 @@ void GraphBuilder::Fade(Index arc, double* begin, double* end) const
     return CrossingPoint(
       this->Grid, this->Code, this->Crossings.Edge[crossing], this->Crossings.Position[crossing]);
   };
-  const Point3 start = place(arc);
-  const Point3 stop = place(last);
+  PartEnd from{ place(arc), atStart };
+  std::vector<double*> part;
+  for (double* p = begin; p != end; p += 3)
+  {
+    const Point3 here{ p[0], p[1], p[2] };
+    if (this->Fixed != nullptr && this->Fixed->count(here) > 0)
+    {
+      this->FadePart({ from, { here, {} } }, part);
+      from = { here, {} };
+      part.clear();
+    }
+    else
+    {
+      part.push_back(p);
+    }
+  }
+  this->FadePart({ from, { place(last), atEnd } }, part);
+}
+
+/// Moves points between two ends by shares that are linear along the length.
+void GraphBuilder::FadePart(std::array<PartEnd, 2> ends, const std::vector<double*>& between) const
+{
+  std::vector<double*> points = between;
+  if (this->Grid.BothWays && ends[1].Place < ends[0].Place)
+  {
+    std::swap(ends[0], ends[1]);
+    std::reverse(points.begin(), points.end());
+  }
+  const EndShift &atStart = ends[0].Shift, &atEnd = ends[1].Shift;
   std::vector<double> lengths;
   double length = 0.0;
-  const double* previous = start.data();
-  for (const double* p = begin; p != end; p += 3)
+  const double* previous = ends[0].Place.data();
+  for (const double* p : points)
   {
     length += Distance(previous, p);
     lengths.push_back(length);
     previous = p;
   }
-  length += Distance(previous, stop.data());
+  length += Distance(previous, ends[1].Place.data());
   for (std::size_t i = 0; i < lengths.size(); ++i)
   {
     const double share = length > 0.0 ? lengths[i] / length : 0.5;
-    double* point = begin + 3 * i;
+    double* point = points[i];
     const double first = (1.0 - share) * atStart.At(point);
     const double second = share * atEnd.At(point);
     point[atStart.Axis] += first;

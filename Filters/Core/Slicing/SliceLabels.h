@@ -22,8 +22,10 @@ struct LabelContours
  * draws around the samples that have it, halfway to their neighbours. `us` and `vs` are as there.
  *
  * Where the samples of two labels are neighbours, the contours of both have the same vertex halfway
- * between them, so that common borders coincide. Where three or four labels meet in one square of
- * samples, their contours cut its corners and leave the middle out: contours never cross.
+ * between them, so that common borders coincide. Where three or four labels, the background among
+ * them, meet in one square of samples, the contours of all have a vertex more, in its middle, so that
+ * nothing is left between them. Where two samples on a diagonal have the same label and the other two have
+ * two others, contours cut the corners and leave the middle out. Contours never cross.
  */
 LabelContours SliceLabels(const SamplePlane& plane, double background,
   const std::vector<double>& us, const std::vector<double>& vs, Precision precision);

@@ -163,8 +163,12 @@ Contours MakeVirtualSlices(
   const SpatialGrid& grid = source.Grid;
   KeepWithin(grid, surface.Points);
   const Precision precision = grid.SinglePrecision ? Precision::Single : Precision::Double;
-  VirtualPlanes planes = ChooseVirtualPlanes(grid, BoxOf(surface), density);
-  AddLevels(mesh, grid, planes);
+  VirtualPlanes planes =
+    source.Planes != nullptr ? *source.Planes : ChooseVirtualPlanes(grid, BoxOf(surface), density);
+  if (source.Planes == nullptr)
+  {
+    AddLevels(mesh, grid, planes);
+  }
   const double tolerance =
     ThinTolerance * std::min({ density.Spacing(0), density.Spacing(1), density.Spacing(2) });
   for (int axis = 0; axis < 3; ++axis)

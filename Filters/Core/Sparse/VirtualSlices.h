@@ -20,6 +20,8 @@ struct FairSource
   const Patches& Surface;
   const SpatialGrid& Grid;
   GuideCurves& Guides;
+  /// The planes to cut on, in place of those of ChooseVirtualPlanes; null if they are to be chosen.
+  const VirtualPlanes* Planes = nullptr;
 };
 
 /**

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesDescribeLabels_h
+#define OrthoSlicesDescribeLabels_h
+
+#include "Bridge/ReadLabels.h"
+#include "Core/ReconstructLabels.h"
+
+#include <string>
+
+namespace orthoslices
+{
+/// One line on labels whose contours overlap, with the greatest overlap; empty if there are none.
+std::string DescribeOverlaps(
+  const std::vector<LabelOverlap>& overlaps, const ContourLabels& labels);
+}
+
+#endif

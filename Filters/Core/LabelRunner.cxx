@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/LabelRunner.h"
+
+#include "Core/Base/EditContours.h"
+#include "Core/ReadSlices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace orthoslices
+{
+namespace
+{
+/// Gaps and overlaps of contours are slivers if they are thinner, in spacings of the planes.
+constexpr double ThinGap = 0.01;
+
+/// Labels overlap if that much of the smaller one is common to both; one that is within the other one to
+/// that much is meant to be.
+constexpr double LeastOverlap = 0.001;
+constexpr double MostOverlap = 0.98;
+
+/// Components and handles, once patches of several cycles have given way to others.
+void CountComponents(Reconstruction& result)
+{
+  SurfaceComponents components = MeasureTopology(GeometryOf(result), result.Surface.Meshes);
+  result.Topology = components.Topology;
+  result.Graph.Component = std::move(components.OfPart);
+  result.Graph.Components = components.Topology.Components;
+}
+}
+
+std::set<Point3> LabelRunner::RoundAll(const std::set<Point3>& points, double quantum)
+{
+  SpatialGrid grid;
+  grid.Quantum = quantum;
+  std::set<Point3> rounded;
+  for (const Point3& point : points)
+  {
+    rounded.insert({ grid.Round(point[0]), grid.Round(point[1]), grid.Round(point[2]) });
+  }
+  return rounded;
+}
+
+LabelRunner::LabelRunner(
+  std::vector<SortedSlices>& labels, const Options& options, const Execution& execution)
+  : Labels(labels)
+  , Settings(options)
+  , Execute(execution)
+{
+  this->Settings.Patching.Shared = &this->Shared;
+  this->Settings.Junctions = &this->Junctions;
+  for (const SortedSlices& label : labels)
+  {
+    this->Settings.Quantum =
+      std::max(this->Settings.Quantum, ChooseQuantum(label, options.SinglePrecision));
+    this->Settings.Metric = MetricOf(label.Frame); // of all labels
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i)
+  {
+    this->Passes.emplace_back(this->Settings, execution);
+  }
+}
+
+bool LabelRunner::Read()
+{
+  for (std::size_t i = 0; i < this->Labels.size(); ++i)
+  {
+    LabelPass& pass = this->Passes[i];
+    pass.SetProgress(0.0, ProgressOfReading, i, this->Labels.size());
+    pass.IsRead = ReadSlices(std::move(this->Labels[i].Slices), pass.Stages);
+    if (pass.IsRead && pass.Stages.Tables.Contours.Count() == 0)
+    {
+      pass.IsRead = false; // nothing to compare with others
+      ReconstructContours(pass.Stages);
+    }
+    if (pass.Stages.Result.Stopped)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Whether surfaces of labels may come near to each other: the boxes of their contours do.
+bool LabelRunner::DoAnyMeet() const
+{
+  std::vector<Box3> boxes;
+  for (const LabelPass& pass : this->Passes)
+  {
+    if (pass.IsRead)
+    {
+      const SpatialGrid& grid = pass.Stages.Result.Grid;
+      boxes.push_back({ grid.Lowest, grid.Highest });
+      for (std::size_t i = 0; i + 1 < boxes.size(); ++i)
+      {
+        if (boxes[i].Meets(boxes.back()))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+double LabelRunner::Thickness() const
+{
+  double spacing = HUGE_VAL;
+  for (const LabelPass& pass : this->Passes)
+  {
+    spacing = pass.IsRead ? std::min(spacing, MinMeanSpacing(pass.Stages.Result.Grid)) : spacing;
+  }
+  return ThinGap * spacing;
+}
+
+/// Contours of labels get the same vertices where they run along each other.
+void LabelRunner::ShareContours()
+{
+  std::vector<Contours*> contours;
+  for (LabelPass& pass : this->Passes)
+  {
+    if (pass.IsRead)
+    {
+      contours.push_back(&pass.Stages.Tables.Contours);
+    }
+  }
+  this->Borders = ShareBorders(this->Thickness(), {}, this->Execute, contours);
+  this->Junctions = RoundAll(this->Borders.Junctions, this->Settings.Quantum);
+  for (LabelPass& pass : this->Passes)
+  {
+    if (pass.IsRead)
+    {
+      pass.Stages.BuildGrid();
+    }
+  }
+  this->FindPlanes();
+}
+
+void LabelRunner::FindPlanes()
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<double>& planes = this->Planes[axis];
+    planes.clear();
+    for (const LabelPass& pass : this->Passes)
+    {
+      const std::vector<double>& own = pass.Stages.Result.Grid.Planes[axis];
+      planes.insert(planes.end(), own.begin(), own.end());
+    }
+    std::sort(planes.begin(), planes.end());
+    planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
+  }
+}
+
+void LabelRunner::AddPlanes(const VirtualPlanes& planes)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<double>& all = this->Planes[axis];
+    all.insert(all.end(), planes[axis].begin(), planes[axis].end());
+    std::sort(all.begin(), all.end());
+  }
+}
+
+/// How dense the slices of all labels are together.
+SliceDensity LabelRunner::Density() const
+{
+  const bool anyInsideOut = std::any_of(this->Passes.begin(), this->Passes.end(),
+    [](const LabelPass& pass) { return pass.Stages.Result.InsideOut; });
+  if (this->Settings.Virtual == VirtualSlices::Off || anyInsideOut)
+  {
+    return {};
+  }
+  Contours all;
+  for (const LabelPass& pass : this->Passes)
+  {
+    AppendContours(pass.Stages.Tables.Contours, all);
+  }
+  const SpatialGrid grid = BuildSpatialGrid(
+    all, this->Passes.front().Stages.Tables.Tolerance, this->Settings.SinglePrecision);
+  return { grid, BoxOf(all),
+    this->Settings.Virtual == VirtualSlices::BySpacing ? this->Settings.VirtualSpacing : 0.0 };
+}
+
+/// Each label by itself.
+bool LabelRunner::MakeEach()
+{
+  for (std::size_t i = 0; i < this->Passes.size(); ++i)
+  {
+    LabelPass& pass = this->Passes[i];
+    pass.SetProgress(ProgressOfReading, 1.0, i, this->Passes.size());
+    if (pass.IsRead && !ReconstructContours(pass.Stages))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void LabelRunner::SettleCells()
+{
+  std::vector<StructureSurface> structures;
+  for (LabelPass& pass : this->Passes)
+  {
+    Reconstruction& result = pass.Stages.Result;
+    if (pass.IsRead)
+    {
+      structures.push_back({ GeometryOf(result), result.Normals, result.Surface });
+    }
+  }
+  this->Counts = SettleCommonCells(structures, this->Settings.Patching, this->Execute);
+  for (LabelPass& pass : this->Passes)
+  {
+    if (pass.IsRead)
+    {
+      CountComponents(pass.Stages.Result);
+    }
+  }
+}
+
+bool LabelRunner::Run()
+{
+  if (!this->Read())
+  {
+    return false;
+  }
+  if (!this->DoAnyMeet())
+  {
+    return this->MakeEach();
+  }
+  this->ShareContours();
+  const SliceDensity density = this->Density();
+  if (density.IsSparse() && !this->MakeSparse(density))
+  {
+    return false;
+  }
+  if (!density.IsSparse())
+  {
+    for (LabelPass& pass : this->Passes)
+    {
+      if (pass.IsRead)
+      {
+        pass.Stages.SetOtherPlanes(this->Planes);
+        pass.Stages.BuildGrid();
+        pass.Stages.Settings.Virtual = VirtualSlices::Off;
+      }
+    }
+    if (!this->MakeEach())
+    {
+      return false;
+    }
+  }
+  this->SettleCells();
+  return true;
+}
+
+std::vector<LabelOverlap> LabelRunner::FindOverlaps() const
+{
+  std::vector<Index> labels; // of the structures that were compared
+  for (std::size_t i = 0; i < this->Passes.size(); ++i)
+  {
+    if (this->Passes[i].IsRead)
+    {
+      labels.push_back(static_cast<Index>(i));
+    }
+  }
+  std::vector<LabelOverlap> overlaps;
+  for (const auto& [pair, area] : this->Borders.Areas.OfPair)
+  {
+    const std::vector<double>& areas = this->Borders.Areas.OfStructure;
+    const double share = area / std::min(areas[pair.first], areas[pair.second]);
+    if (share > LeastOverlap && share < MostOverlap)
+    {
+      overlaps.push_back({ labels[pair.first], labels[pair.second], share });
+    }
+  }
+  std::stable_sort(overlaps.begin(), overlaps.end(),
+    [](const LabelOverlap& a, const LabelOverlap& b) { return a.Share > b.Share; });
+  return overlaps;
+}
+
+std::vector<Reconstruction> LabelRunner::TakeResults()
+{
+  std::vector<Reconstruction> results;
+  for (LabelPass& pass : this->Passes)
+  {
+    results.push_back(std::move(pass.Stages.Result));
+  }
+  return results;
+}
+}

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesLabelRunner_h
+#define OrthoSlicesLabelRunner_h
+
+#include "Core/Labels/ShareBorders.h"
+#include "Core/Pass.h"
+#include "Core/Patches/SharedPatches.h"
+#include "Core/ReconstructLabels.h"
+#include "Core/SparseStructure.h"
+
+#include <array>
+#include <deque>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace orthoslices
+{
+/// How much of the progress reading takes, and, where slices are sparse, reading and first surfaces.
+constexpr double ProgressOfReading = 0.2;
+constexpr double ProgressOfDrawing = 0.5;
+
+/// The stages of one label, and what has to outlive them.
+struct LabelPass
+{
+  LabelPass(const Options& options, const Execution& whole)
+    : Execute(whole)
+    , Stages(options, this->Execute, this->Observe)
+  {
+    this->Execute.Continue = [this, &whole](double progress)
+    { return whole.Continue(this->From + (this->To - this->From) * progress); };
+  }
+  LabelPass(const LabelPass&) = delete;
+  void operator=(const LabelPass&) = delete;
+
+  /// From here on its progress is that part of what is between two values, of the whole.
+  void SetProgress(double from, double to, std::size_t part, std::size_t parts)
+  {
+    const double share = (to - from) / static_cast<double>(parts);
+    this->From = from + share * static_cast<double>(part);
+    this->To = this->From + share;
+  }
+
+  Execution Execute;
+  StageObserver Observe;
+  Pass Stages;
+  bool IsRead = false; ///< not refused, and there are contours
+  std::unique_ptr<SparseStructure> Sparse;
+
+private:
+  double From = 0.0, To = 1.0;
+};
+
+/// Runs the stages of all labels; see ReconstructLabels.
+class LabelRunner
+{
+public:
+  LabelRunner(
+    std::vector<SortedSlices>& labels, const Options& options, const Execution& execution);
+
+  /// False: stopped.
+  bool Run();
+  std::vector<Reconstruction> TakeResults();
+  std::vector<LabelOverlap> FindOverlaps() const;
+  CommonCellCounts Counts;
+
+private:
+  bool Read();
+  bool DoAnyMeet() const;
+  void ShareContours();
+  void FindPlanes();
+  void AddPlanes(const VirtualPlanes& planes);
+  SliceDensity Density() const;
+  bool MakeEach();
+  bool MakeSparse(const SliceDensity& density);
+  bool FinishSparse(const std::vector<LabelPass*>& passes);
+  LabelPass& AddUnion();
+  VirtualPlanes PlanesFor(const SpatialGrid& grid, const VirtualPlanes& common) const;
+  void ShareVirtual(const std::vector<LabelPass*>& passes, bool withUnion);
+  void SettleCells();
+  double Thickness() const;
+  /// Points as they are in contours that were rounded to multiples of a quantum, if it is not 0.
+  static std::set<Point3> RoundAll(const std::set<Point3>& points, double quantum);
+
+  std::vector<SortedSlices>& Labels;
+  Options Settings;
+  const Execution& Execute;
+  SharedPatches Shared;
+  std::deque<LabelPass> Passes; ///< of the labels, and of their union
+  SharedBorders Borders;
+  std::set<Point3> Junctions;
+  std::array<std::vector<double>, 3> Planes; ///< of all labels
+};
+}
+
+#endif

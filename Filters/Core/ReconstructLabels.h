@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesReconstructLabels_h
+#define OrthoSlicesReconstructLabels_h
+
+#include "Core/Labels/CommonCells.h"
+#include "Core/ReconstructSorted.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/// Two labels whose contours overlap, although neither is within the other one.
+struct LabelOverlap
+{
+  Index First, Second;
+  double Share; ///< of the area of the smaller one, on all slices together
+};
+
+/// The surfaces of several structures.
+struct LabelSurfaces
+{
+  std::vector<Reconstruction> OfLabel; ///< one for each, of those of refused labels nothing
+  CommonCellCounts Cells;
+  std::vector<LabelOverlap> Overlaps; ///< the greatest one first
+  bool Stopped = false;               ///< Execution::Continue returned false
+};
+
+/**
+ * ReconstructSorted for several structures at once, whose slices have common axes (see SplitByLabel).
+ * Those of which no two come near to each other have the surfaces of runs of their own. Else
+ *
+ *   ShareBorders        contours get the same vertices where they run along each other
+ *   AddEmptyPlanes      all have the same planes, so that cells are common
+ *   SharedPatches       borders that are the same around a cell have the same patch
+ *   SettleCommonCells   surfaces pass through common cells without crossing each other
+ *
+ * so that surfaces do not cross where contours do not. Where slices are too few, as SliceDensity says of
+ * all together, all are bent and cut on the same virtual planes, and so is their union. Its virtual slices
+ * are divided as the real ones are: what is outside of the union belongs to none, and no two have in
+ * common what real slices do not show them to have. ShareBorders does that, and once more after the
+ * virtual slices agree with the real ones.
+ */
+LabelSurfaces ReconstructLabels(
+  std::vector<SortedSlices>&& labels, const Options& options, const Execution& execution);
+}
+
+#endif

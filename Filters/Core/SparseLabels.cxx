@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/LabelRunner.h"
+
+#include <algorithm>
+#include <iterator>
+
+/// The part of LabelRunner for slices that are sparse.
+namespace orthoslices
+{
+namespace
+{
+/// How many times slices and labels are made to agree: what one of them changes, the other one has to
+/// follow.
+constexpr int RoundsOfAgreement = 2;
+}
+
+/// What all labels cover together, as one structure more.
+LabelPass& LabelRunner::AddUnion()
+{
+  this->Passes.emplace_back(this->Settings, this->Execute);
+  LabelPass& all = this->Passes.back();
+  all.IsRead = true;
+  all.Stages.Tables.Tolerance = this->Passes.front().Stages.Tables.Tolerance;
+  all.Stages.Tables.Contours = this->Borders.Union;
+  all.Stages.BuildGrid();
+  return all;
+}
+
+/// The planes on which a label is cut: those of all that it has not itself.
+VirtualPlanes LabelRunner::PlanesFor(const SpatialGrid& grid, const VirtualPlanes& common) const
+{
+  VirtualPlanes planes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<double> others;
+    std::set_difference(this->Planes[axis].begin(), this->Planes[axis].end(),
+      grid.Planes[axis].begin(), grid.Planes[axis].end(), std::back_inserter(others));
+    std::merge(others.begin(), others.end(), common[axis].begin(), common[axis].end(),
+      std::back_inserter(planes[axis]));
+  }
+  return planes;
+}
+
+/// Virtual slices of all labels divide what all cover together as the real ones do. The union of all
+/// is the first one, if it is there.
+void LabelRunner::ShareVirtual(const std::vector<LabelPass*>& passes, bool withUnion)
+{
+  std::vector<Contours*> contours;
+  for (LabelPass* pass : passes)
+  {
+    Contours& drawn = pass->Sparse->Virtual;
+    drawn.Plane.assign(drawn.Count(), 0); // to be found with those of the real slices
+    contours.push_back(&drawn);
+  }
+  StructureSets allowed{ {} };
+  for (const std::vector<Index>& set : this->Borders.Sets)
+  {
+    std::vector<Index> members;
+    for (const Index label : set)
+    {
+      members.push_back(withUnion ? label + 1 : label);
+    }
+    if (withUnion && !set.empty())
+    {
+      members.insert(members.begin(), 0);
+    }
+    allowed.insert(members);
+  }
+  const SharedBorders shared = ShareBorders(this->Thickness(), allowed, this->Execute, contours);
+  const std::set<Point3> junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
+  this->Junctions.insert(junctions.begin(), junctions.end());
+}
+
+/// All labels with virtual slices on the same planes.
+bool LabelRunner::MakeSparse(const SliceDensity& density)
+{
+  LabelPass& all = this->AddUnion();
+  const SpatialGrid& grid = all.Stages.Result.Grid;
+  const VirtualPlanes common = ChooseVirtualPlanes(grid, { grid.Lowest, grid.Highest }, density);
+  std::deque<VirtualPlanes> planes;
+  std::vector<LabelPass*> passes{ &all };
+  for (LabelPass& pass : this->Passes)
+  {
+    if (pass.IsRead && &pass != &all)
+    {
+      passes.push_back(&pass);
+    }
+  }
+  if (this->Settings.Ends == EndCaps::HalfSlice)
+  {
+    for (LabelPass* pass : passes)
+    {
+      pass->Stages.AddEndSlices();
+    }
+    this->FindPlanes();
+  }
+  for (std::size_t i = 0; i < passes.size(); ++i)
+  {
+    LabelPass* pass = passes[i];
+    pass->SetProgress(ProgressOfReading, ProgressOfDrawing, i, passes.size());
+    planes.push_back(this->PlanesFor(pass->Stages.Result.Grid, common));
+    pass->Sparse = std::make_unique<SparseStructure>(density, planes.back(), pass->Stages);
+    if (!pass->Sparse->Draw())
+    {
+      return false;
+    }
+  }
+  this->ShareVirtual(passes, true);
+  this->AddPlanes(common);
+  passes.erase(passes.begin());
+  return this->FinishSparse(passes);
+}
+
+/// The second surfaces of all labels, from virtual slices on which all slices and labels agree.
+bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
+{
+  for (int round = 0; round < RoundsOfAgreement; ++round)
+  {
+    for (LabelPass* pass : passes)
+    {
+      pass->Stages.SetOtherPlanes(this->Planes);
+      if (!pass->Sparse->Redraw())
+      {
+        return false;
+      }
+    }
+    this->ShareVirtual(passes, false);
+  }
+  for (std::size_t i = 0; i < passes.size(); ++i)
+  {
+    passes[i]->SetProgress(ProgressOfDrawing, 1.0, i, passes.size());
+    if (!passes[i]->Sparse->Finish())
+    {
+      return false;
+    }
+    passes[i]->Sparse.reset();
+  }
+  this->Passes.pop_back();
+  return true;
+}
+}

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/SparseStructure.h"
+
+#include "Core/MakeSurface.h"
+#include "Core/RealSlices.h"
+#include "Core/SecondPass.h"
+#include "Core/Sparse/SelectContours.h"
+#include "Core/Sparse/VirtualSlices.h"
+
+namespace orthoslices
+{
+bool SparseStructure::Draw()
+{
+  this->First.SetShare(0.245, 0.545);
+  if (!ConnectContours(this->First))
+  {
+    return false;
+  }
+  this->Centers = this->First.Result.Surface.CentralPoints;
+  if (!Sketch(this->Density.EdgeLength(), this->First))
+  {
+    return false;
+  }
+  Reconstruction& first = this->First.Result;
+  Execution execution = this->First.Execute;
+  execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
+  const int axis = this->Density.StackAxis();
+  const Contours ofStack = axis < 0 ? Contours() : SelectAxis(this->Drawn, axis, true);
+  if (ofStack.Count() == 0)
+  {
+    this->Known = TopologyOf(first);
+    GuideCurves none;
+    this->Virtual =
+      MakeVirtualSlices({ GeometryOf(first), first.Surface, first.Grid, none, &this->Planes },
+        this->Density, execution);
+    return !first.Stopped;
+  }
+  Pass stack(this->First, Contours(ofStack));
+  stack.SetShare(0.485, 0.5);
+  if (!ConnectContours(stack) || !Sketch(this->Density.EdgeLength(), stack))
+  {
+    first.Stopped = true;
+    return false;
+  }
+  this->Known = TopologyOf(stack.Result);
+  GuideCurves guides = CutGuides(this->Drawn, first.Grid, axis);
+  this->Virtual = MakeVirtualSlices(
+    { GeometryOf(stack.Result), stack.Result.Surface, first.Grid, guides, &this->Planes },
+    this->Density, execution);
+  return !first.Stopped;
+}
+
+bool SparseStructure::Redraw()
+{
+  if (this->Virtual.Count() == 0)
+  {
+    return true;
+  }
+  std::vector<Index> leftOut;
+  Pass again = SecondPass(this->First, this->Drawn, this->Virtual, this->Known, leftOut);
+  if (!DrawGraph(again))
+  {
+    this->First.Result.Stopped = true;
+    return false;
+  }
+  this->Virtual = ReadVirtual(again.Result, this->First.Result.Grid);
+  return true;
+}
+
+bool SparseStructure::Finish()
+{
+  if (this->Virtual.Count() == 0)
+  {
+    this->First.Result.Surface.CentralPoints.swap(this->Centers);
+    this->First.SetShare(0.0, 1.0);
+    return FillCycles(this->First.Settings.Patching, this->First);
+  }
+  std::vector<Index> leftOut;
+  Pass again = SecondPass(this->First, this->Drawn, this->Virtual, this->Known, leftOut);
+  if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
+  {
+    this->First.Result.Stopped = true;
+    return false;
+  }
+  TakeReport(this->First.Result, leftOut, again.Result);
+  this->First.Result = std::move(again.Result);
+  return true;
+}
+}

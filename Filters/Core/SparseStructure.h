@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesSparseStructure_h
+#define OrthoSlicesSparseStructure_h
+
+#include "Core/Pass.h"
+#include "Core/Sparse/VirtualPlanes.h"
+
+namespace orthoslices
+{
+/**
+ * MakeSparseSurface in two steps, for one of several structures, whose virtual slices are made to agree with
+ * those of the others in between. All structures are cut on the same planes, and all keep the second
+ * surface, whatever its topology is.
+ */
+class SparseStructure
+{
+public:
+  /// All have to outlive this.
+  SparseStructure(const SliceDensity& density, const VirtualPlanes& planes, Pass& first)
+    : Density(density)
+    , Planes(planes)
+    , First(first)
+    , Drawn(first.Tables.Contours)
+  {
+  }
+
+  /// The first surface, bent and cut on the planes: sets Virtual. False: stopped.
+  bool Draw();
+  /// Draws the virtual slices as they are after all slices have been made to agree, so that a
+  /// second surface changes them no more: sets Virtual. False: stopped.
+  bool Redraw();
+  /// The second surface, in the place of the first one in its pass. False: stopped.
+  bool Finish();
+
+  Contours Virtual; ///< of the planes, as MakeVirtualSlices draws them
+
+private:
+  const SliceDensity& Density;
+  const VirtualPlanes& Planes;
+  Pass& First;
+  Contours Drawn;              ///< as they are before the first pass
+  std::vector<double> Centers; ///< the central points of the first surface before its sketch
+  PriorKnowledge Known;        ///< what the second surface is to come out as
+};
+}
+
+#endif

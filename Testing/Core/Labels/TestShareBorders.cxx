@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Labels/ShareBorders.h"
+
+#include "Core/Base/EditContours.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace orthoslices;
+
+namespace
+{
+void AddContour(const std::vector<Point2>& corners, Contours& contours)
+{
+  for (const Point2& p : corners)
+  {
+    contours.U.push_back(p[0]);
+    contours.V.push_back(p[1]);
+  }
+  contours.Offsets.push_back(static_cast<Index>(contours.U.size()));
+  contours.Axis.push_back(2);
+  contours.Coordinate.push_back(1.0);
+  contours.Plane.push_back(0);
+  contours.Cell.push_back(contours.Count() - 1);
+}
+
+Contours Rectangle(double left, double low, double right, double high)
+{
+  Contours contours;
+  AddContour({ { left, low }, { right, low }, { right, high }, { left, high } }, contours);
+  return contours;
+}
+
+SharedBorders Share(
+  std::vector<Contours>& structures, double thickness = 0.01, const StructureSets& allowed = {})
+{
+  std::vector<Contours*> pointers;
+  for (Contours& contours : structures)
+  {
+    pointers.push_back(&contours);
+  }
+  return ShareBorders(thickness, allowed, Execution(), pointers);
+}
+
+bool HasVertex(const Contours& contours, const Point2& p)
+{
+  for (std::size_t i = 0; i < contours.U.size(); ++i)
+  {
+    if (contours.U[i] == p[0] && contours.V[i] == p[1])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+double AreaOf(const Contours& contours)
+{
+  double area = 0.0;
+  for (Index i = 0; i < contours.Count(); ++i)
+  {
+    area += 0.5 * TwiceSignedArea(contours, i);
+  }
+  return area;
+}
+}
+
+TEST(ShareBorders, WhatDoesNotMeetStaysAsItIs)
+{
+  std::vector<Contours> structures{ Rectangle(0, 0, 1, 1), Rectangle(2, 0, 3, 1) };
+  const SharedBorders shared = Share(structures);
+  EXPECT_EQ(structures[0].U, Rectangle(0, 0, 1, 1).U);
+  EXPECT_EQ(structures[1].U, Rectangle(2, 0, 3, 1).U);
+  EXPECT_TRUE(shared.Junctions.empty());
+  EXPECT_EQ(shared.Sets, (StructureSets{ {}, { 0 }, { 1 } }));
+  EXPECT_EQ(shared.Areas.OfStructure, (std::vector<double>{ 1.0, 1.0 }));
+  EXPECT_EQ(shared.Union.Count(), 2);
+}
+
+/// A corner on the side of another structure becomes a vertex of both.
+TEST(ShareBorders, VerticesOnCommonSidesAreCommon)
+{
+  std::vector<Contours> structures{ Rectangle(0, 0, 1, 3), Rectangle(1, 1, 2, 2) };
+  const SharedBorders shared = Share(structures);
+  EXPECT_TRUE(HasVertex(structures[0], { 1, 1 }));
+  EXPECT_TRUE(HasVertex(structures[0], { 1, 2 }));
+  EXPECT_EQ(structures[0].Cell[0], 0);
+  EXPECT_EQ(structures[1].Size(0), 4);
+  EXPECT_EQ(shared.Junctions, (std::set<Point3>{ { 1, 1, 1 }, { 1, 2, 1 } }));
+  EXPECT_EQ(shared.Union.Count(), 1);
+  EXPECT_DOUBLE_EQ(AreaOf(shared.Union), 4.0);
+}
+
+/// Narrow gaps and overlaps vanish, and the first structure stays as it is.
+TEST(ShareBorders, SliversGoToTheLaterStructure)
+{
+  for (const double left : { 0.996, 1.0, 1.004 })
+  {
+    std::vector<Contours> structures{ Rectangle(0, 0, 1, 1), Rectangle(left, 0, 2, 1) };
+    const SharedBorders shared = Share(structures);
+    EXPECT_DOUBLE_EQ(AreaOf(structures[0]), 1.0) << left;
+    EXPECT_DOUBLE_EQ(AreaOf(structures[1]), 1.0) << left;
+    EXPECT_DOUBLE_EQ(AreaOf(shared.Union), 2.0) << left;
+    EXPECT_EQ(shared.Areas.OfPair.size(), 0u) << left;
+  }
+}
+
+TEST(ShareBorders, WideGapsAndOverlapsStay)
+{
+  for (const double left : { 0.9, 1.1 })
+  {
+    std::vector<Contours> structures{ Rectangle(0, 0, 1, 1), Rectangle(left, 0, 2, 1) };
+    const SharedBorders shared = Share(structures);
+    EXPECT_DOUBLE_EQ(AreaOf(structures[0]), 1.0);
+    EXPECT_DOUBLE_EQ(AreaOf(structures[1]), 2.0 - left);
+    EXPECT_EQ(shared.Areas.OfPair.size(), left < 1.0 ? 1u : 0u);
+  }
+}
+
+/// What is outside of the first structure, or in two others at once, is not allowed and goes away;
+/// what is in none of them but the first one goes to the last.
+TEST(ShareBorders, SetsThatAreNotAllowedGoToNeighbours)
+{
+  const StructureSets allowed{ {}, { 0, 1 }, { 0, 2 } };
+  for (const double left : { 0.8, 1.2 })
+  {
+    std::vector<Contours> structures{ Rectangle(0, 0, 2, 1), Rectangle(-0.1, 0, 1, 1),
+      Rectangle(left, 0, 2.2, 1) };
+    Share(structures, 0.0, allowed);
+    EXPECT_DOUBLE_EQ(AreaOf(structures[0]), 2.0) << left;
+    EXPECT_DOUBLE_EQ(AreaOf(structures[1]), 1.0) << left;
+    EXPECT_DOUBLE_EQ(AreaOf(structures[2]), 1.0) << left;
+  }
+}
+
+/// A structure within another one is not cut out of it.
+TEST(ShareBorders, NestedStructuresStay)
+{
+  std::vector<Contours> structures{ Rectangle(0, 0, 4, 4), Rectangle(0, 1, 2, 2) };
+  const SharedBorders shared = Share(structures);
+  EXPECT_DOUBLE_EQ(AreaOf(structures[0]), 16.0);
+  EXPECT_DOUBLE_EQ(AreaOf(structures[1]), 2.0);
+  EXPECT_EQ(shared.Sets, (StructureSets{ {}, { 0 }, { 0, 1 } }));
+}
