@@ -10,6 +10,7 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -17,11 +18,15 @@ namespace orthoslices
 {
 namespace
 {
+/// Points of a plane are beside it by no more than so many steps of the precision once they are turned.
+constexpr double TurnedSteps = 16.0;
+
 /// Keeps what lies below a coordinate of an axis, or above it.
 class PlaneCutter
 {
 public:
-  PlaneCutter(vtkPolyData* surface, int axis, double coordinate, bool keepsBelow);
+  PlaneCutter(
+    vtkPolyData* surface, const AxisFrame& frame, int axis, double coordinate, bool keepsBelow);
   void Run();
 
 private:
@@ -32,6 +37,7 @@ private:
   vtkPolyData* Surface;
   int Axis;
   double Coordinate;
+  bool IsWorld;                  ///< whether the axis is that of the world
   std::vector<double> Height;    ///< of the points over the plane, positive where they go
   std::vector<vtkIdType> Copies; ///< of the points; -1 if there is none yet
   std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> Cuts; ///< new points on edges
@@ -41,16 +47,27 @@ private:
   vtkNew<vtkCellData> CellArrays;
 };
 
-PlaneCutter::PlaneCutter(vtkPolyData* surface, int axis, double coordinate, bool keepsBelow)
+PlaneCutter::PlaneCutter(
+  vtkPolyData* surface, const AxisFrame& frame, int axis, double coordinate, bool keepsBelow)
   : Surface(surface)
   , Axis(axis)
   , Coordinate(coordinate)
+  , IsWorld(frame.IsWorld())
   , Copies(surface->GetNumberOfPoints(), -1)
 {
+  const bool isFloat = surface->GetPoints()->GetDataType() == VTK_FLOAT;
+  const double step = TurnedSteps *
+    (isFloat ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon());
   for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
   {
-    const double height = surface->GetPoint(point)[axis] - coordinate;
-    this->Height.push_back(keepsBelow ? height : -height);
+    double p[3];
+    surface->GetPoint(point, p);
+    const double at = this->IsWorld ? p[axis] : Dot(frame.Normal(axis), Point3{ p[0], p[1], p[2] });
+    const double height = keepsBelow ? at - coordinate : coordinate - at;
+    // What lies on the plane before it is turned is beside it by rounding afterwards.
+    const double rounding =
+      this->IsWorld ? 0.0 : step * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]));
+    this->Height.push_back(std::abs(height) <= rounding ? 0.0 : height);
   }
   this->Points->SetDataType(surface->GetPoints()->GetDataType());
   this->PointArrays->InterpolateAllocate(surface->GetPointData(), surface->GetNumberOfPoints());
@@ -81,7 +98,10 @@ vtkIdType PlaneCutter::Cut(vtkIdType inside, vtkIdType outside)
     {
       p[i] += share * (q[i] - p[i]);
     }
-    p[this->Axis] = this->Coordinate;
+    if (this->IsWorld)
+    {
+      p[this->Axis] = this->Coordinate;
+    }
     added.first->second = this->Points->InsertNextPoint(p);
     this->PointArrays->InterpolateEdge(
       this->Surface->GetPointData(), added.first->second, inside, outside, share);
@@ -140,17 +160,17 @@ void PlaneCutter::Run()
 }
 }
 
-void CutAtBorder(const Box3& border, vtkPolyData* surface)
+void CutAtBorder(const Box3& border, const AxisFrame& frame, vtkPolyData* surface)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
     if (std::isfinite(border.Low[axis]))
     {
-      PlaneCutter(surface, axis, border.Low[axis], false).Run();
+      PlaneCutter(surface, frame, axis, border.Low[axis], false).Run();
     }
     if (std::isfinite(border.High[axis]))
     {
-      PlaneCutter(surface, axis, border.High[axis], true).Run();
+      PlaneCutter(surface, frame, axis, border.High[axis], true).Run();
     }
   }
 }
