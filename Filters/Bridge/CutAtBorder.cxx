@@ -9,9 +9,13 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace orthoslices
@@ -33,6 +37,8 @@ private:
   void AddTriangle(vtkIdType cell, const vtkIdType* corners);
   vtkIdType Copy(vtkIdType point);
   vtkIdType Cut(vtkIdType inside, vtkIdType outside);
+  void PartFans(vtkIdType point, const std::vector<std::size_t>& triangles);
+  void PartFans();
 
   vtkPolyData* Surface;
   int Axis;
@@ -42,7 +48,7 @@ private:
   std::vector<vtkIdType> Copies; ///< of the points; -1 if there is none yet
   std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> Cuts; ///< new points on edges
   vtkNew<vtkPoints> Points;
-  vtkNew<vtkCellArray> Cells;
+  std::vector<std::array<vtkIdType, 3>> Triangles;
   vtkNew<vtkPointData> PointArrays;
   vtkNew<vtkCellData> CellArrays;
 };
@@ -130,9 +136,79 @@ void PlaneCutter::AddTriangle(vtkIdType cell, const vtkIdType* corners)
   }
   for (std::size_t i = 2; i < polygon.size(); ++i)
   {
-    const vtkIdType triangle[3] = { polygon[0], polygon[i - 1], polygon[i] };
-    const vtkIdType added = this->Cells->InsertNextCell(3, triangle);
-    this->CellArrays->CopyData(this->Surface->GetCellData(), cell, added);
+    this->CellArrays->CopyData(
+      this->Surface->GetCellData(), cell, static_cast<vtkIdType>(this->Triangles.size()));
+    this->Triangles.push_back({ polygon[0], polygon[i - 1], polygon[i] });
+  }
+}
+
+/// A point of the plane at which parts of the surface touch that have nothing else in common becomes one
+/// for each, so that the boundary passes each of its points once.
+void PlaneCutter::PartFans(vtkIdType point, const std::vector<std::size_t>& triangles)
+{
+  std::map<vtkIdType, std::size_t> after; // triangles by the corner that follows the point
+  std::set<vtkIdType> ends;               // the corners before it
+  const vtkIdType copy = this->Copies[point];
+  const auto cornerAt = [&](std::size_t triangle, int further)
+  {
+    const auto& corners = this->Triangles[triangle];
+    const auto at = std::find(corners.begin(), corners.end(), copy) - corners.begin();
+    return corners[(at + further) % 3];
+  };
+  for (const std::size_t triangle : triangles)
+  {
+    after[cornerAt(triangle, 1)] = triangle;
+    ends.insert(cornerAt(triangle, 2));
+  }
+  // The corners at which a part begins. The first part keeps the point.
+  std::vector<vtkIdType> starts;
+  for (const auto& corner : after)
+  {
+    if (ends.count(corner.first) == 0)
+    {
+      starts.push_back(corner.first);
+    }
+  }
+  for (std::size_t i = 1; i < starts.size(); ++i)
+  {
+    const vtkIdType part = this->Points->InsertNextPoint(this->Surface->GetPoint(point));
+    this->PointArrays->CopyData(this->Surface->GetPointData(), point, part);
+    for (auto next = after.find(starts[i]); next != after.end();)
+    {
+      auto& corners = this->Triangles[next->second];
+      const vtkIdType end = cornerAt(next->second, 2);
+      std::replace(corners.begin(), corners.end(), copy, part);
+      next = after.find(end);
+    }
+  }
+}
+
+/// The same for all points of the plane.
+void PlaneCutter::PartFans()
+{
+  std::map<vtkIdType, std::vector<std::size_t>> around;
+  std::map<vtkIdType, vtkIdType> points; // on the plane, by their copies
+  for (std::size_t point = 0; point < this->Copies.size(); ++point)
+  {
+    if (this->Copies[point] >= 0 && this->Height[point] == 0.0)
+    {
+      points[this->Copies[point]] = static_cast<vtkIdType>(point);
+    }
+  }
+  for (std::size_t triangle = 0; triangle < this->Triangles.size() && !points.empty(); ++triangle)
+  {
+    for (const vtkIdType corner : this->Triangles[triangle])
+    {
+      const auto at = points.find(corner);
+      if (at != points.end())
+      {
+        around[at->second].push_back(triangle);
+      }
+    }
+  }
+  for (const auto& at : around)
+  {
+    this->PartFans(at.first, at.second);
   }
 }
 
@@ -151,10 +227,16 @@ void PlaneCutter::Run()
       this->AddTriangle(cell, corners);
     }
   }
+  this->PartFans();
+  vtkNew<vtkCellArray> cells;
+  for (const auto& triangle : this->Triangles)
+  {
+    cells->InsertNextCell(3, triangle.data());
+  }
   this->PointArrays->Squeeze();
   this->CellArrays->Squeeze();
   this->Surface->SetPoints(this->Points);
-  this->Surface->SetPolys(this->Cells);
+  this->Surface->SetPolys(cells);
   this->Surface->GetPointData()->ShallowCopy(this->PointArrays);
   this->Surface->GetCellData()->ShallowCopy(this->CellArrays);
 }
