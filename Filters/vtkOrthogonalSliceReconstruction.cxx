@@ -505,11 +505,12 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures };
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
   const orthoslices::Box3 openBorder = result.OpenBorder;
+  const orthoslices::AxisFrame frame = result.Frame;
   vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
   orthoslices::WriteSurface(std::move(result), orthoslices::ExecuteWithVtk(this), doublePrecision,
     arrays, reportTolerance, surface);
   carrier.AddToSurface(surface->GetCellData());
-  orthoslices::CutAtBorder(openBorder, surface);
+  orthoslices::CutAtBorder(openBorder, frame, surface);
   const bool mayBeOpen = this->BorderContours == LEAVE_OPEN_AT_BORDER;
   orthoslices::WriteComponentTable(surface, mayBeOpen, vtkTable::GetData(outputs, 7));
   this->UpdateProgress(1.0);

@@ -9,6 +9,7 @@
 #include "vtkOrthogonalSlicer.h"
 
 #include "Support/CheckSurface.h"
+#include "Support/Damage.h"
 #include "Support/FilterRun.h"
 #include "Support/SliceSolid.h"
 #include "Support/Stages.h"
@@ -52,12 +53,12 @@ vtkSmartPointer<vtkPolyData> ToPolyData(const Polylines& lines, int type = VTK_D
     {
       points->InsertNextPoint(lines.PointAt(i).data());
     }
-    cells->InsertNextCell(static_cast<int>(points->GetNumberOfPoints() - first) + 1);
-    for (vtkIdType id = first; id < points->GetNumberOfPoints(); ++id)
+    const int size = static_cast<int>(points->GetNumberOfPoints() - first);
+    cells->InsertNextCell(size + lines.Closed[line]);
+    for (int i = 0; i < size + lines.Closed[line]; ++i)
     {
-      cells->InsertCellPoint(id);
+      cells->InsertCellPoint(first + i % size);
     }
-    cells->InsertCellPoint(first);
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
@@ -242,6 +243,30 @@ TEST(Inputs, TurnedSlicesSayHowTheyAreTurned)
     run.Filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
     ExpectTorus(run, CountContours());
     EXPECT_EQ(run.Filter->GetOutput()->GetPoints()->GetDataType(), VTK_FLOAT);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Where the surface is left open at the border of a turned image, the border is turned, too.
+TEST(Inputs, BordersAreThoseOfTheFrame)
+{
+  PieceSets sets = TorusSlices();
+  const double border = 0.31;
+  CutOff(sets, 0, border, true);
+  for (const Matrix3& rotation : { UnitMatrix(), RotationAround({ 1.0, -1.0, 2.0 }, 0.3) })
+  {
+    FilterRun run;
+    run.Filter->SetInputData(3, ToPolyData(MapSlices(sets, rotation)));
+    run.Filter->SetBorderContoursToLeaveOpen();
+    const TriangleMesh mesh = MeshOf(run.Update());
+    EXPECT_TRUE(run.Errors.empty()) << run.Errors[0];
+    EXPECT_GT(CheckSurface(mesh).OpenEdges, 20);
+    double farthest = -HUGE_VAL;
+    for (const Point3& p : mesh.Points)
+    {
+      farthest = std::max(farthest, Apply(Transpose(rotation), p)[0]);
+    }
+    EXPECT_NEAR(farthest, border, 1e-9);
   }
 }
 

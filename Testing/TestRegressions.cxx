@@ -127,3 +127,12 @@ TEST(Regression, IsolatedContourOneStepWide)
     "6.0000000000000008e-09,6.0000000000000016e-09",
     options);
 }
+
+//----------------------------------------------------------------------------
+// Two contours with a corner in common in projection: their slices are displaced by less than the steps
+// of float, which makes one vertex of two.
+
+TEST(Regression, NewVerticesOfAStackThatRoundingMovesToOldOnes)
+{
+  ExpectNoFlaws("y=4: 104,104 102,101 103,101; y=8: 102,101 103,104 102,104", ByNesting());
+}

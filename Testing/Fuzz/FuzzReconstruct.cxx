@@ -27,6 +27,7 @@
 #include <cstring>
 #include <iostream>
 #include <limits>
+#include <sstream>
 #include <string>
 
 using namespace orthoslices;
@@ -253,6 +254,24 @@ bool IsSame(const TriangleMesh& mesh, const Reconstruction& other)
   return second.Points == mesh.Points && second.Triangles == mesh.Triangles;
 }
 
+/// Edges, vertices and triangles that meet (G1 to G3, G6). In axes that are not those of the world the surface
+/// is embedded along them, exactly; in the world it is so but for rounding, which turns slivers over.
+std::string FindFlawsOf(
+  const SortedSlices& sorted, const Options& settings, const TriangleMesh& mesh)
+{
+  if (sorted.Frame.IsWorld())
+  {
+    return DescribeFlaws(mesh);
+  }
+  std::ostringstream text;
+  const SurfaceCheck check = CheckSurface(mesh);
+  if (!check.IsClosedManifold())
+  {
+    text << check << "\n";
+  }
+  return text.str() + FindFlaws(sorted.Slices, settings);
+}
+
 /// One structure: what is wrong with its surface. `settings` get what its slices are read with.
 std::string FindFaults(
   const SortedSlices& sorted, Options& settings, bool isTwice, SharedPatches& sharedTwice)
@@ -279,7 +298,8 @@ std::string FindFaults(
   settings.Quantum = result.Grid.Quantum;
   SpatialGrid grid;
   const Contours contours = UsableContours(sorted.Slices, settings, grid);
-  return faults + DescribeFlaws(mesh) + FindExcess(contours, sorted.Frame, settings, along) +
+  return faults + FindFlawsOf(sorted, settings, mesh) +
+    FindExcess(contours, sorted.Frame, settings, along) +
     FindWrongSides(contours, grid, settings.Orient, along);
 }
 

@@ -116,9 +116,14 @@ std::vector<double> FindSlices(const std::vector<PiecePlane>& planes, double mos
   return slices;
 }
 
-/// How far vertices may be off, with these slices.
+/// How far vertices may be off, with these slices. If the noise of all pieces is more than little, there
+/// are none, and nothing is known.
 double AllowedDistance(const std::vector<double>& slices, double tolerance, double alone)
 {
+  if (slices.empty())
+  {
+    return tolerance;
+  }
   if (slices.size() < 2)
   {
     return std::max(alone, tolerance);
@@ -178,10 +183,14 @@ std::vector<PlaneShift> MoveOntoPlanes(double tolerance, double alone, Pieces& p
   const std::vector<PiecePlane> planes = planar ? std::vector<PiecePlane>() : ListPlanes(pieces);
   double allowed = 0.0;
   const std::vector<double> slices = FindSlices(planes, tolerance, alone, allowed);
-  std::vector<PlaneShift> shifts(slices.empty() ? 0 : pieces.Count());
+  if (slices.empty())
+  {
+    return {};
+  }
+  std::vector<PlaneShift> shifts(pieces.Count());
   for (const PiecePlane& plane : planes)
   {
-    const double slice = slices.empty() ? plane.Coordinate : NearestSlice(slices, plane.Coordinate);
+    const double slice = NearestSlice(slices, plane.Coordinate);
     if (std::abs(plane.Coordinate - slice) + plane.Noise > allowed)
     {
       continue;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace orthoslices
 {
@@ -38,6 +39,8 @@ public:
 private:
   void Insert();
   bool LeaveOutSpoilt();
+  bool LeaveOutCollapsed();
+  bool KeepsEdges(std::size_t group) const;
   bool AreLoopsSimple(const std::vector<Index>& loops) const;
   void Append(Index loop, const std::vector<NewVertex>& vertices);
 
@@ -144,6 +147,69 @@ bool VertexInserter::AreLoopsSimple(const std::vector<Index>& loops) const
   return AreSimple(curves);
 }
 
+/// Whether no two sides of triangles of an overlay have become one, as where a new vertex lies on an old
+/// one, once rounded, and both have an edge to the same third one.
+bool VertexInserter::KeepsEdges(std::size_t group) const
+{
+  const SlabGroup& members = this->Groups[group];
+  std::vector<Index> first, corners; // of each loop; of each corner, a number for its place
+  Index count = 0;
+  for (const Index loop : members.Loops)
+  {
+    first.push_back(count);
+    for (const Index place : this->Result.VertexAt[loop])
+    {
+      corners.push_back(count + place);
+    }
+    count += this->Result.Count(loop);
+  }
+  const std::vector<SlabOverlay::Insertion>& insertions = members.Overlay.Insertions;
+  for (std::size_t i = 0; i < insertions.size(); ++i)
+  {
+    corners.push_back(first[insertions[i].Loop] + this->Result.InsertionAt[group][i]);
+  }
+  std::vector<Index> places = corners;
+  std::sort(places.begin(), places.end());
+  if (std::adjacent_find(places.begin(), places.end()) == places.end())
+  {
+    return true;
+  }
+  const Index contours = static_cast<Index>(corners.size());
+  const auto numberOf = [&](Index corner)
+  { return corner < contours ? corners[corner] : count + corner - contours; };
+  std::vector<std::pair<Index, Index>> sides;
+  for (const auto& triangle : members.Overlay.Triangles)
+  {
+    const Index a = numberOf(triangle[0]), b = numberOf(triangle[1]), c = numberOf(triangle[2]);
+    if (a != b && b != c && c != a)
+    {
+      sides.insert(sides.end(), { { a, b }, { b, c }, { c, a } });
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  return std::adjacent_find(sides.begin(), sides.end()) == sides.end();
+}
+
+/// Gives up the overlays whose triangles would meet in edges that they do not share. Returns whether
+/// there are any.
+bool VertexInserter::LeaveOutCollapsed()
+{
+  std::vector<std::uint8_t> isCollapsed(this->Groups.size(), 0);
+  this->Execute.For(isCollapsed.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t group = begin; group < end; ++group)
+      {
+        isCollapsed[group] = this->Groups[group].Overlay.Valid && !this->KeepsEdges(group) ? 1 : 0;
+      }
+    });
+  for (std::size_t group = 0; group < isCollapsed.size(); ++group)
+  {
+    this->Groups[group].Overlay.Valid &= isCollapsed[group] == 0;
+  }
+  return std::find(isCollapsed.begin(), isCollapsed.end(), 1) != isCollapsed.end();
+}
+
 /// Inserts the vertices of all overlays that are valid.
 void VertexInserter::Insert()
 {
@@ -186,7 +252,7 @@ StitchedLoops VertexInserter::Run()
   do
   {
     this->Insert();
-  } while (this->LeaveOutSpoilt());
+  } while (this->LeaveOutSpoilt() || this->LeaveOutCollapsed());
   return std::move(this->Result);
 }
 }

@@ -76,6 +76,15 @@ TEST(PiecePlanes, ATenthOfTheDistanceOfSlicesIsLittle)
 }
 
 //----------------------------------------------------------------------------
+TEST(PiecePlanes, PiecesThatAreAllFarOffTheirPlanesStayAsTheyAre)
+{
+  Pieces pieces = Read("z=0: 0,0 1,0 1,1,0.13 0,1; z=1: 0,0 1,0 1,1,1.13 0,1");
+  const std::vector<double> before = pieces.W;
+  EXPECT_TRUE(MoveOntoPlanes(1e-5, 1.0, pieces).empty());
+  EXPECT_EQ(pieces.W, before);
+}
+
+//----------------------------------------------------------------------------
 TEST(PiecePlanes, OnePieceFarOffItsPlaneSaysNothingOfOthers)
 {
   // Neither are the slices 0 and 0.5 merged, nor does noise of 3 count as little.
