@@ -4,7 +4,7 @@
 #define OrthoSlicesCutAtBorder_h
 
 #include "Core/Base/Box.h"
-#include "Core/Frames/AxisFrame.h"
+#include "Core/Base/AxisFrame.h"
 
 class vtkPolyData;
 
