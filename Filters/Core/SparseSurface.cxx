@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/SparseSurface.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/MakeSurface.h"
 #include "Core/RealSlices.h"
 #include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace orthoslices
 {
@@ -88,38 +91,74 @@ PriorKnowledge TopologyOf(const Reconstruction& base)
   return { base.Topology.Components + small, small > 0 ? -1 : base.Topology.Genus };
 }
 
-/// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
-/// there are none, or if the topology comes out another than that of `base`.
+/**
+ * Takes away the contours on virtual planes on which arcs were drawn anew, because a real slice has
+ * what the virtual one lacks; or, if there are none, on all on which arcs were mended. False if none
+ * are taken away.
+ */
+bool RemoveMended(const Pass& pass, Contours& added)
+{
+  const std::vector<Repair>& repairs = pass.OfVirtual;
+  const auto isDrawnAnew = [](const Repair& repair)
+  { return repair.Kind == RepairKind::ArcsRedrawn; };
+  const bool any = std::any_of(repairs.begin(), repairs.end(), isDrawnAnew);
+  std::set<std::pair<int, double>> mended;
+  for (const Repair& repair : repairs)
+  {
+    if (!any || isDrawnAnew(repair))
+    {
+      mended.insert({ repair.Axis, pass.Result.Grid.Planes[repair.Axis][repair.Plane] });
+    }
+  }
+  std::vector<std::uint8_t> isMended;
+  for (Index i = 0; i < added.Count(); ++i)
+  {
+    isMended.push_back(mended.count({ added.Axis[i], added.Coordinate[i] }) > 0 ? 1 : 0);
+  }
+  const Index before = added.Count();
+  RemoveMarked(isMended, added);
+  return added.Count() < before;
+}
+
+/// Makes the surface anew, with virtual slices of `base` that bends through the guides: with all of
+/// them, or those that agree with the real slices. False if there are none, or if the topology comes
+/// out another than that of `base`.
 bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
 {
   Reconstruction& first = this->First.Result;
   Execution execution = this->First.Execute;
   execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
-  const Contours added = MakeVirtualSlices(
+  Contours added = MakeVirtualSlices(
     { GeometryOf(base), base.Surface, first.Grid, std::move(guides) }, this->Density, execution);
-  if (first.Stopped || added.Count() == 0)
-  {
-    return false;
-  }
   const std::vector<IsolatedLoop>& parts = this->First.Tables.IsolatedParts;
   const std::vector<Index> leftOut = FindLeftOut(first.Isolated, parts);
-  Contours contours = this->Drawn;
-  RemoveContours(leftOut, parts, contours);
-  AddVirtual(added, contours);
-  Pass again(this->First, std::move(contours));
-  again.Settings.Known = TopologyOf(base);
-  again.SetShare(0.48, 0.88); // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole
-  if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
+  constexpr int attempts =
+    3; // without planes on which arcs were drawn anew, and were mended at all
+  for (int attempt = 0; attempt < attempts && !first.Stopped && added.Count() > 0; ++attempt)
   {
-    return this->Stop();
+    Contours contours = this->Drawn;
+    RemoveContours(leftOut, parts, contours);
+    AddVirtual(added, contours);
+    Pass again(this->First, std::move(contours));
+    again.Settings.Known = TopologyOf(base);
+    // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole. Further attempts are not foreseen there.
+    again.SetShare(attempt == 0 ? 0.48 : 0.8, attempt == 0 ? 0.88 : 0.8);
+    if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
+    {
+      return this->Stop();
+    }
+    if (again.Result.Topology == base.Topology)
+    {
+      TakeReport(first, leftOut, again.Result);
+      first = std::move(again.Result);
+      return true;
+    }
+    if (!RemoveMended(again, added))
+    {
+      return false;
+    }
   }
-  if (!(again.Result.Topology == base.Topology))
-  {
-    return false;
-  }
-  TakeReport(first, leftOut, again.Result);
-  first = std::move(again.Result);
-  return true;
+  return false;
 }
 
 bool SparseRunner::Run()

@@ -12,7 +12,8 @@ namespace orthoslices
  * From contours of too few slices to a surface, in two passes: the first surface, of the real slices,
  * has the topology that the evidence decides; it bends from one slice to the next as little as it can,
  * and is cut on planes between them; from the real and these virtual slices the surface is made once
- * more. If that has another topology than what was bent, the first surface is the result.
+ * more. If that has another topology than what was bent, virtual slices that contradict real ones are
+ * left out, and it is made again, twice at most; else the first surface is the result.
  *
  * Of a stack with a few slices across, the surface of the stack alone is bent first, through the
  * contours of the slices across: how the object hangs together, the stack says better than cells that
