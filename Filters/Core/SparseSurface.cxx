@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/SparseSurface.h"
 
-#include "Core/Base/EditContours.h"
 #include "Core/MakeSurface.h"
 #include "Core/RealSlices.h"
 #include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
 
 #include <algorithm>
-#include <set>
-#include <utility>
 
 namespace orthoslices
 {
@@ -91,35 +88,6 @@ PriorKnowledge TopologyOf(const Reconstruction& base)
   return { base.Topology.Components + small, small > 0 ? -1 : base.Topology.Genus };
 }
 
-/**
- * Takes away the contours on virtual planes on which arcs were drawn anew, because a real slice has
- * what the virtual one lacks; or, if there are none, on all on which arcs were mended. False if none
- * are taken away.
- */
-bool RemoveMended(const Pass& pass, Contours& added)
-{
-  const std::vector<Repair>& repairs = pass.OfVirtual;
-  const auto isDrawnAnew = [](const Repair& repair)
-  { return repair.Kind == RepairKind::ArcsRedrawn; };
-  const bool any = std::any_of(repairs.begin(), repairs.end(), isDrawnAnew);
-  std::set<std::pair<int, double>> mended;
-  for (const Repair& repair : repairs)
-  {
-    if (!any || isDrawnAnew(repair))
-    {
-      mended.insert({ repair.Axis, pass.Result.Grid.Planes[repair.Axis][repair.Plane] });
-    }
-  }
-  std::vector<std::uint8_t> isMended;
-  for (Index i = 0; i < added.Count(); ++i)
-  {
-    isMended.push_back(mended.count({ added.Axis[i], added.Coordinate[i] }) > 0 ? 1 : 0);
-  }
-  const Index before = added.Count();
-  RemoveMarked(isMended, added);
-  return added.Count() < before;
-}
-
 /// Makes the surface anew, with virtual slices of `base` that bends through the guides: with all of
 /// them, or those that agree with the real slices. False if there are none, or if the topology comes
 /// out another than that of `base`.
@@ -153,7 +121,7 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
       first = std::move(again.Result);
       return true;
     }
-    if (!RemoveMended(again, added))
+    if (!RemoveMended(again.OfVirtual, again.Result.Grid, added))
     {
       return false;
     }

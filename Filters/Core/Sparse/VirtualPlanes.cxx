@@ -116,7 +116,7 @@ double SliceDensity::EdgeLength() const
 {
   // For a stack, less than 0.45 makes the error no smaller. The contours of several families are closer
   // together: with 0.5 it is 5 to 10 parts in 100 greater, with 0.25 2 smaller, in twice the time.
-  constexpr double ofStack = 0.5, ofFamilies = 0.35;
+  constexpr double ofStack = 0.5, ofFamilies = 1.0 / 3.0;
   return (this->IsStack ? ofStack : ofFamilies) * this->Target[this->Longest];
 }
 

@@ -49,7 +49,7 @@ public:
   /// sparse.
   double Spacing(int axis) const { return this->Target[axis]; }
   /// How long the edges of a mesh may be that shows the same detail, in world units: half of the
-  /// spacing along the axis of the greatest extent for a stack, 0.35 of it for several families.
+  /// spacing along the axis of the greatest extent for a stack, a third of it for several families.
   double EdgeLength() const;
   /// How often the mesh is to be made anew and bent with cotangents: once for a stack, twice for
   /// several families, whose contours are close enough together for the surface to settle.
