@@ -31,6 +31,7 @@ private:
   bool FillFirst();
   bool BendStack();
   bool Bend(const Reconstruction& base, GuideCurves&& guides);
+  Contours WithVirtual(const Contours& added, const std::vector<Index>& leftOut) const;
   bool Stop();
 
   const SliceDensity& Density;
@@ -88,6 +89,15 @@ PriorKnowledge TopologyOf(const Reconstruction& base)
   return { base.Topology.Components + small, small > 0 ? -1 : base.Topology.Genus };
 }
 
+/// The contours as drawn, those that took no part left out, and virtual ones.
+Contours SparseRunner::WithVirtual(const Contours& added, const std::vector<Index>& leftOut) const
+{
+  Contours contours = this->Drawn;
+  RemoveContours(leftOut, this->First.Tables.IsolatedParts, contours);
+  AddVirtual(added, contours);
+  return contours;
+}
+
 /// Makes the surface anew, with virtual slices of `base` that bends through the guides: with all of
 /// them, or those that agree with the real slices. False if there are none, or if the topology comes
 /// out another than that of `base`.
@@ -96,18 +106,15 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
   Reconstruction& first = this->First.Result;
   Execution execution = this->First.Execute;
   execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
+  // Without planes on which arcs were drawn anew, and then without those on which any were mended. But
+  // that a stack hangs together otherwise than all slices together do shall not be made to work.
+  const int attempts = guides.Slices.empty() ? 3 : 1;
   Contours added = MakeVirtualSlices(
     { GeometryOf(base), base.Surface, first.Grid, std::move(guides) }, this->Density, execution);
-  const std::vector<IsolatedLoop>& parts = this->First.Tables.IsolatedParts;
-  const std::vector<Index> leftOut = FindLeftOut(first.Isolated, parts);
-  constexpr int attempts =
-    3; // without planes on which arcs were drawn anew, and were mended at all
+  const std::vector<Index> leftOut = FindLeftOut(first.Isolated, this->First.Tables.IsolatedParts);
   for (int attempt = 0; attempt < attempts && !first.Stopped && added.Count() > 0; ++attempt)
   {
-    Contours contours = this->Drawn;
-    RemoveContours(leftOut, parts, contours);
-    AddVirtual(added, contours);
-    Pass again(this->First, std::move(contours));
+    Pass again(this->First, this->WithVirtual(added, leftOut));
     again.Settings.Known = TopologyOf(base);
     // 0.5 to 0.8 of it is 0.68 to 0.8 of the whole. Further attempts are not foreseen there.
     again.SetShare(attempt == 0 ? 0.48 : 0.8, attempt == 0 ? 0.88 : 0.8);
