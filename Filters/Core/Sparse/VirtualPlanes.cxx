@@ -43,6 +43,16 @@ double DensestSpacing(const SpatialGrid& grid)
   return least;
 }
 
+int CountFamilies(const SpatialGrid& grid)
+{
+  int families = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    families += grid.Count(axis) > 0 ? 1 : 0;
+  }
+  return families;
+}
+
 /// The axis with enough planes, each other one having few against it, and both together some: at
 /// most FewAcross, or one for FewAgainstMany; -1 if there is none.
 int FindStack(const SpatialGrid& grid)
@@ -66,12 +76,11 @@ bool NeedsMore(const SpatialGrid& grid)
 {
   const auto [least, most] = std::minmax({ grid.Count(0), grid.Count(1), grid.Count(2) });
   Index fewest = most;
-  int families = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     fewest = grid.Count(axis) > 0 ? std::min(fewest, grid.Count(axis)) : fewest;
-    families += grid.Count(axis) > 0 ? 1 : 0;
   }
+  const int families = CountFamilies(grid);
   const bool isStack = families == 1 || most >= FewAgainstMany * fewest;
   return isStack ? families == 1 || most >= EnoughPlanes || FindStack(grid) >= 0 : least == 0;
 }
@@ -87,7 +96,7 @@ SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double
     return;
   }
   this->Stack = FindStack(grid);
-  this->IsStack = this->Stack >= 0 || FindOnlyFamily(grid) >= 0;
+  this->IsFine = this->Stack < 0 && CountFamilies(grid) == 2;
   const double densest = DensestSpacing(grid);
   const Index most = std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
   for (int axis = 0; axis < 3; ++axis)
@@ -114,10 +123,10 @@ SliceDensity::SliceDensity(const SpatialGrid& grid, const Box3& contours, double
 
 double SliceDensity::EdgeLength() const
 {
-  // For a stack, less than 0.45 makes the error no smaller. The contours of several families are closer
+  // For a stack, less than 0.45 makes the error no smaller. The contours of two families are closer
   // together: with 0.5 it is 5 to 10 parts in 100 greater, with 0.25 2 smaller, in twice the time.
-  constexpr double ofStack = 0.5, ofFamilies = 1.0 / 3.0;
-  return (this->IsStack ? ofStack : ofFamilies) * this->Target[this->Longest];
+  constexpr double usual = 0.5, ofTwoFamilies = 1.0 / 3.0;
+  return (this->IsFine ? ofTwoFamilies : usual) * this->Target[this->Longest];
 }
 
 int SliceDensity::CountParts(int axis, double width) const

@@ -215,8 +215,8 @@ TEST(VirtualPlanes, StacksHaveFewSlicesAcross)
 }
 
 //----------------------------------------------------------------------------
-/// The contours of a stack are farther apart than those of several families of the same planes.
-TEST(VirtualPlanes, MeshesOfSeveralFamiliesAreFinerThanThoseOfStacks)
+/// Where a family is missing, the contours of two are close enough together for a finer mesh.
+TEST(VirtualPlanes, MeshesOfTwoFamiliesAreFiner)
 {
   const auto densityOf = [](const std::array<int, 3>& count)
   {
@@ -224,12 +224,12 @@ TEST(VirtualPlanes, MeshesOfSeveralFamiliesAreFinerThanThoseOfStacks)
     return SliceDensity(box.Grid, box.Box);
   };
   for (const auto& count :
-    { std::array<int, 3>{ 0, 0, 32 }, { 0, 1, 32 }, { 2, 2, 32 }, { 4, 0, 32 } })
+    { std::array<int, 3>{ 0, 0, 32 }, { 0, 1, 32 }, { 2, 2, 32 }, { 32, 32, 8 } })
   {
     EXPECT_NEAR(densityOf(count).EdgeLength(), 0.5 / 32.0, 1e-9);
     EXPECT_EQ(densityOf(count).Rounds(), 1);
   }
-  for (const auto& count : { std::array<int, 3>{ 32, 0, 32 }, { 32, 32, 8 } })
+  for (const auto& count : { std::array<int, 3>{ 32, 0, 32 }, { 32, 32, 0 } })
   {
     EXPECT_NEAR(densityOf(count).EdgeLength(), 1.0 / 96.0, 1e-9);
     EXPECT_EQ(densityOf(count).Rounds(), 2);
