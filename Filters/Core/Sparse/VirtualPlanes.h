@@ -49,7 +49,7 @@ public:
   /// sparse.
   double Spacing(int axis) const { return this->Target[axis]; }
   /// How long the edges of a mesh may be that shows the same detail, in world units: half of the
-  /// spacing along the axis of the greatest extent, a third of it for two families.
+  /// spacing along the axis of the greatest extent, 0.35 of it for two families.
   double EdgeLength() const;
   /// How often the mesh is to be made anew and bent with cotangents: once, twice for two families,
   /// whose contours are close enough together for the surface to settle.

@@ -231,7 +231,7 @@ TEST(VirtualPlanes, MeshesOfTwoFamiliesAreFiner)
   }
   for (const auto& count : { std::array<int, 3>{ 32, 0, 32 }, { 32, 32, 0 } })
   {
-    EXPECT_NEAR(densityOf(count).EdgeLength(), 1.0 / 96.0, 1e-9);
+    EXPECT_NEAR(densityOf(count).EdgeLength(), 0.35 / 32.0, 1e-9);
     EXPECT_EQ(densityOf(count).Rounds(), 2);
   }
 }
