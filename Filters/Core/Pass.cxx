@@ -67,6 +67,7 @@ void Pass::SetShare(double from, double to)
 void Pass::Report(const std::vector<Repair>& repairs)
 {
   AppendReal(repairs, this->Result.Grid, this->Result.Repairs);
+  AppendVirtual(repairs, this->Result.Grid, this->OfVirtual);
 }
 
 void Pass::BuildGrid()

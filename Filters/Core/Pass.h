@@ -41,7 +41,7 @@ public:
   /// Where the part that comes next begins and ends in the progress of the whole, 0 to 1.
   void SetShare(double from, double to);
 
-  /// Lists repairs, those of virtual slices left out.
+  /// Lists repairs, those of virtual slices in OfVirtual.
   void Report(const std::vector<Repair>& repairs);
 
   void BuildGrid();
@@ -68,7 +68,8 @@ public:
   const Execution& Execute;
   const StageObserver& Observe;
   StageTables Tables;
-  std::vector<Repair> Inserted; ///< contours that slices lack
+  std::vector<Repair> Inserted;  ///< contours that slices lack
+  std::vector<Repair> OfVirtual; ///< repairs of virtual slices, of which the report says nothing
   Reconstruction Result;
 
 private:

@@ -27,6 +27,7 @@ struct SecondSurface
   std::function<bool(const SurfaceTopology&)> IsRight;
   Box3 Bounds;                       ///< of the surface, besides those of the grid
   std::vector<std::uint8_t> Guiding; ///< see Reconstruction
+  int Attempts = 1;
 };
 
 /// Runs the passes; see MakeSparseSurface.
@@ -179,33 +180,46 @@ Box3 FlatEndsOf(const Reconstruction& base)
   return bounds;
 }
 
-/// Makes the surface of real and virtual slices, and takes it if its topology is right.
+/// Makes the surface of real and virtual slices, of all or of those that agree with the real ones, and
+/// takes it if its topology is right.
 bool SparseRunner::RunAgain(SecondSurface&& second)
 {
   Reconstruction& first = this->First.Result;
-  if (first.Stopped || second.Added.Count() == 0)
+  for (int attempt = 0; attempt < second.Attempts; ++attempt)
   {
-    return false;
+    if (first.Stopped || second.Added.Count() == 0)
+    {
+      return false;
+    }
+    std::vector<Index> leftOut;
+    Pass again = SecondPass(this->First, this->Drawn, second.Added, second.Known, leftOut);
+    LimitBoundsTo(second.Bounds, again.Result.Grid);
+    if (attempt > 0)
+    {
+      again.SetShare(0.8, 0.8); // further attempts are not foreseen in the progress
+    }
+    if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
+    {
+      return this->Stop();
+    }
+    if (second.IsRight(again.Result.Topology))
+    {
+      TakeReport(first, leftOut, again.Result);
+      again.Result.Guiding = std::move(second.Guiding);
+      first = std::move(again.Result);
+      return true;
+    }
+    if (!RemoveMended(again.OfVirtual, again.Result.Grid, second.Added))
+    {
+      return false;
+    }
   }
-  std::vector<Index> leftOut;
-  Pass again = SecondPass(this->First, this->Drawn, second.Added, second.Known, leftOut);
-  LimitBoundsTo(second.Bounds, again.Result.Grid);
-  if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
-  {
-    return this->Stop();
-  }
-  if (!second.IsRight(again.Result.Topology))
-  {
-    return false;
-  }
-  TakeReport(first, leftOut, again.Result);
-  again.Result.Guiding = std::move(second.Guiding);
-  first = std::move(again.Result);
-  return true;
+  return false;
 }
 
-/// Makes the surface anew, with virtual slices of `base` that bends through the guides. False if
-/// there are none, or if the topology comes out another than that of `base`.
+/// Makes the surface anew, with virtual slices of `base` that bends through the guides: with all of
+/// them, or those that agree with the real slices. False if there are none, or if the topology comes
+/// out another than that of `base`.
 bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
 {
   Execution execution = this->First.Execute;
@@ -214,10 +228,13 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
     MakeVirtualSlices({ GeometryOf(base), base.Surface, this->First.Result.Grid, guides },
       this->Sparse.Bending, execution);
   const SurfaceTopology wanted = base.Topology;
+  // Without planes on which arcs were drawn anew, and then without those on which any were mended. But
+  // that a stack hangs together otherwise than all slices together do shall not be made to work.
+  const int attempts = guides.Slices.empty() ? 3 : 1;
   return this->RunAgain(
     { added, TopologyOf(base), [&](const SurfaceTopology& found) { return found == wanted; },
       guides.Slices.empty() ? FlatEndsOf(base) : Everywhere(),
-      ListGuiding(this->First.Settings, guides) });
+      ListGuiding(this->First.Settings, guides), attempts });
 }
 
 /// The surface of some of the contours that there would be if there were no field.

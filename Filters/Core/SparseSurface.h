@@ -36,7 +36,8 @@ struct SparseSlices
  *   bent as little as it can. Of a stack with a few slices across, the surface of the stack alone is
  *   bent, through the contours of the slices across: how the object hangs together, the stack says
  *   better than cells that are far longer than wide. If the second surface has another topology than
- *   what was bent, the first surface is the result.
+ *   what was bent, virtual slices that contradict real ones are left out, and it is made again, twice at
+ *   most; else the first surface is the result.
  *
  * REQUIRES: sparse.Any(), of the contours of the pass. False: stopped.
  */

@@ -46,13 +46,26 @@ inline void RemoveSmallRepairs(double tolerance, std::vector<Repair>& repairs)
   repairs.erase(std::remove_if(repairs.begin(), repairs.end(), isSmall), repairs.end());
 }
 
+/// Whether a repair concerns a virtual slice, and not the input.
+inline bool IsOfVirtual(const SpatialGrid& grid, const Repair& repair)
+{
+  return repair.Axis >= 0 && grid.IsVirtual(repair.Axis, repair.Plane);
+}
+
 /// Appends the repairs that concern the input: not those of virtual slices.
 inline void AppendReal(
   const std::vector<Repair>& repairs, const SpatialGrid& grid, std::vector<Repair>& all)
 {
   std::copy_if(repairs.begin(), repairs.end(), std::back_inserter(all),
-    [&](const Repair& repair)
-    { return repair.Axis < 0 || !grid.IsVirtual(repair.Axis, repair.Plane); });
+    [&](const Repair& repair) { return !IsOfVirtual(grid, repair); });
+}
+
+/// Appends the others.
+inline void AppendVirtual(
+  const std::vector<Repair>& repairs, const SpatialGrid& grid, std::vector<Repair>& all)
+{
+  std::copy_if(repairs.begin(), repairs.end(), std::back_inserter(all),
+    [&](const Repair& repair) { return IsOfVirtual(grid, repair); });
 }
 
 /// Trust in the slices of each axis: not negative, not all zero.

@@ -50,8 +50,8 @@ private:
   bool Uncross(const FaceArcs& face, FaceDrawing& drawing) const;
   FaceCurves GetCurves(const FaceArcs& face) const;
   Index StopOf(const FaceArcs& face, const FaceCurves& curves, Index curve) const;
-  Index AddBumps(const FaceArcs& face, FaceCurves& curves) const;
-  Point2 Bump(const Face& face, Index start, Index stop) const;
+  Index AddBumps(const FaceArcs& face, double steepness, FaceCurves& curves) const;
+  Point2 Bump(const Face& face, double steepness, Index start, Index stop) const;
   void Redraw(const FaceArcs& face, const FaceCurves& curves, const Uncrossing& outcome,
     FaceDrawing& drawing) const;
   Repair DescribeBumps(const Face& face, const FaceDrawing& drawing) const;
@@ -104,8 +104,9 @@ bool ArcEmbedder::IsSimple(const FaceArcs& face) const
   return AreSimple(curves.Curves);
 }
 
-/// A vertex a little inside the face, beside the middle between two ends on one edge of M.
-Point2 ArcEmbedder::Bump(const Face& face, Index start, Index stop) const
+/// A vertex a little inside the face, beside the middle between two ends on one edge of M: as deep as
+/// a part of their distance, `steepness`.
+Point2 ArcEmbedder::Bump(const Face& face, double steepness, Index start, Index stop) const
 {
   const SpatialGrid& grid = this->Geometry.Grid;
   const Point2 from = this->Geometry.InPlane(face, this->Geometry.Nodes.NodeOf[start]);
@@ -117,8 +118,8 @@ Point2 ArcEmbedder::Bump(const Face& face, Index start, Index stop) const
   double low, high;
   grid.GetExtent(axis, face.Slab[across], from[across], from[across], low, high);
   grid.ClipToBounds(axis, low, high);
-  // A quarter of the length, so that bumps within bumps do not touch.
-  const double depth = std::min(0.25 * std::abs(to[along] - from[along]), 0.125 * (high - low));
+  const double depth =
+    std::min(steepness * std::abs(to[along] - from[along]), 0.125 * (high - low));
   const bool lower = edge == 0 || edge == 3;
   Point2 bump;
   bump[along] = grid.Round(from[along] + 0.5 * (to[along] - from[along]));
@@ -151,8 +152,9 @@ Index ArcEmbedder::StopOf(const FaceArcs& face, const FaceCurves& curves, Index 
   return this->Geometry.Crossings.Next[face.First[next - curves.First.begin() - 1]];
 }
 
-/// Draws curves that lie on an edge of M into the face. Returns how many there were.
-Index ArcEmbedder::AddBumps(const FaceArcs& face, FaceCurves& curves) const
+/// Draws curves that lie on an edge of M into the face. Returns how many there were. Bumps of one
+/// steepness, of a quarter or less, do not touch each other if one is within the other.
+Index ArcEmbedder::AddBumps(const FaceArcs& face, double steepness, FaceCurves& curves) const
 {
   Index count = 0;
   for (Index i = 0; i < face.Count(); ++i)
@@ -163,7 +165,7 @@ Index ArcEmbedder::AddBumps(const FaceArcs& face, FaceCurves& curves) const
     if (curve.size() == 2 && this->AreOnOneEdge(start, stop))
     {
       curve.insert(curve.begin() + 1, static_cast<Index>(curves.Curves.Vertices.size()));
-      curves.Curves.Vertices.push_back(this->Bump(face.Face, start, stop));
+      curves.Curves.Vertices.push_back(this->Bump(face.Face, steepness, start, stop));
       ++count;
     }
   }
@@ -173,13 +175,16 @@ Index ArcEmbedder::AddBumps(const FaceArcs& face, FaceCurves& curves) const
 /// Passes the vertices of the arcs in another order. False if that does not help.
 bool ArcEmbedder::Uncross(const FaceArcs& face, FaceDrawing& drawing) const
 {
-  constexpr int maxRounds = 4;
+  // An arc that runs beside the edge of M may take the top of a bump over. The next bump has to fit
+  // between the two, so that it is flatter.
+  constexpr double steepest = 0.25, flattest = 1.0 / 1024.0;
+  double steepness = steepest;
   FaceCurves curves = this->GetCurves(face);
-  this->AddBumps(face, curves);
+  this->AddBumps(face, steepness, curves);
   Uncrossing outcome = UncrossCurves(curves.Curves);
-  for (int round = 1; outcome.Simple && this->AddBumps(face, curves) > 0; ++round)
+  while (outcome.Simple && this->AddBumps(face, steepness *= 0.25, curves) > 0)
   {
-    if (round == maxRounds)
+    if (steepness < flattest)
     {
       return false;
     }

@@ -3,6 +3,7 @@
 #include "Core/Sparse/FieldSlices.h"
 
 #include "Core/Slicing/PlaneContours.h"
+#include "Core/Sparse/VirtualSlices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -286,21 +287,6 @@ Box3 RangeOf(const SpatialGrid& grid)
   }
   return box;
 }
-
-void Append(const PlaneContours& drawn, int axis, double coordinate, Contours& contours)
-{
-  const Index first = static_cast<Index>(contours.U.size());
-  contours.U.insert(contours.U.end(), drawn.U.begin(), drawn.U.end());
-  contours.V.insert(contours.V.end(), drawn.V.begin(), drawn.V.end());
-  for (Index i = 0; i < drawn.Count(); ++i)
-  {
-    contours.Offsets.push_back(first + drawn.Offsets[i + 1]);
-    contours.Axis.push_back(static_cast<std::int8_t>(axis));
-    contours.Coordinate.push_back(coordinate);
-    contours.Cell.push_back(-1);
-    contours.Virtual.push_back(1);
-  }
-}
 }
 
 Contours CutField(const SliceField& field, const SpatialGrid& grid, const SliceDensity& density,
@@ -332,7 +318,7 @@ Contours CutField(const SliceField& field, const SpatialGrid& grid, const SliceD
       });
     for (std::size_t i = 0; i < slices.size(); ++i)
     {
-      Append(slices[i], axis, planes[axis][i], contours);
+      AppendSlice(slices[i], axis, planes[axis][i], contours);
     }
   }
   return contours;

@@ -5,6 +5,8 @@
 #include "Core/Base/EditContours.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace orthoslices
 {
@@ -25,5 +27,28 @@ Contours SelectAxis(const Contours& contours, int axis, bool ofAxis)
   Contours chosen = contours;
   RemoveMarked(isOther, chosen);
   return chosen;
+}
+
+bool RemoveMended(const std::vector<Repair>& repairs, const SpatialGrid& grid, Contours& contours)
+{
+  const auto isDrawnAnew = [](const Repair& repair)
+  { return repair.Kind == RepairKind::ArcsRedrawn; };
+  const bool any = std::any_of(repairs.begin(), repairs.end(), isDrawnAnew);
+  std::set<std::pair<int, double>> mended; // planes, by axis and coordinate
+  for (const Repair& repair : repairs)
+  {
+    if (!any || isDrawnAnew(repair))
+    {
+      mended.insert({ repair.Axis, grid.Planes[repair.Axis][repair.Plane] });
+    }
+  }
+  std::vector<std::uint8_t> isMended;
+  for (Index i = 0; i < contours.Count(); ++i)
+  {
+    isMended.push_back(mended.count({ contours.Axis[i], contours.Coordinate[i] }) > 0 ? 1 : 0);
+  }
+  const Index before = contours.Count();
+  RemoveMarked(isMended, contours);
+  return contours.Count() < before;
 }
 }

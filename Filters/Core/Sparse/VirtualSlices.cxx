@@ -40,8 +40,10 @@ bool RunSteps(const Steps& steps, const Execution& execution)
 }
 
 /// Makes the surface a mesh of equal triangles, bent as little as possible. False if stopped.
-bool MakeFair(GuideCurves& guides, double edgeLength, const Execution& execution, SurfaceMesh& mesh)
+bool MakeFair(
+  GuideCurves& guides, const SliceDensity& density, const Execution& execution, SurfaceMesh& mesh)
 {
+  const double edgeLength = density.EdgeLength();
   const auto collapse = [&] { CollapseShortEdges(edgeLength, mesh); };
   const auto flip = [&] { FlipEdges(mesh); };
   const auto split = [&] { SplitLongEdges(edgeLength, mesh); };
@@ -54,8 +56,9 @@ bool MakeFair(GuideCurves& guides, double edgeLength, const Execution& execution
     { GuideSurface(guides, ReachOfGuides * edgeLength, 0.5 * edgeLength, mesh); };
     steps.insert(steps.end(), { guide, bend, split, collapse, flip, bend });
   }
-  steps.insert(steps.end(), { split, collapse, flip, bendAgain });
-  if (!guides.Slices.empty())
+  // What was bent without knowing its shape has to be meshed anew, and so has what guides have moved.
+  const int rounds = guides.Slices.empty() ? density.Rounds() : 2;
+  for (int round = 0; round < rounds; ++round)
   {
     steps.insert(steps.end(), { split, collapse, flip, bendAgain });
   }
@@ -140,6 +143,7 @@ void AppendSlice(const PlaneContours& drawn, int axis, double coordinate, Contou
     contours.Offsets.push_back(first + drawn.Offsets[i + 1]);
     contours.Axis.push_back(static_cast<std::int8_t>(axis));
     contours.Coordinate.push_back(coordinate);
+    contours.Plane.push_back(-1); // of a grid that is not made yet
     contours.Cell.push_back(-1);
     contours.Virtual.push_back(1);
   }
@@ -151,7 +155,7 @@ Contours MakeVirtualSlices(
   Contours contours;
   GuideCurves& guides = source.Guides;
   SurfaceMesh mesh = MakeSurfaceMesh(source.Geometry, source.Surface, guides, execution);
-  if (!MakeFair(guides, density.EdgeLength(), execution, mesh))
+  if (!MakeFair(guides, density, execution, mesh))
   {
     return contours;
   }

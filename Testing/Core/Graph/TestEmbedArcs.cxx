@@ -228,6 +228,34 @@ TEST(EmbedArcs, TakesTwoArcsApartThatCrossTwice)
 }
 
 //----------------------------------------------------------------------------
+/// A real slice has a hole that meets the plane z = 0 from x = 1 to 2. The virtual slice there lacks it,
+/// and has an arc close beside that edge of the grid.
+TEST(EmbedArcs, FitsABumpBetweenAnArcAndAnEdge)
+{
+  Input input;
+  input.Sets = ParsePieces(OnOnePlane("y=0: -1,1 -1,2 1,2 1,1\n"
+                                      "z=0: -3,-3 3,-3 3,2 2.5,0.1 0.5,0.1 1,3 -3,3"));
+  for (Pieces& pieces : input.Sets)
+  {
+    pieces.Virtual.assign(pieces.Cell.size(), &pieces == &input.Sets[2] ? 1 : 0);
+  }
+  const Stages stages(input);
+  // The bump in the face below, where there is nothing else, and the arc and the bump in that above.
+  EXPECT_EQ(CountKind(stages, RepairKind::ArcsRedrawn), 1u);
+  EXPECT_EQ(CountKind(stages, RepairKind::ArcsUncrossed), 1u);
+  EXPECT_EQ(stages.Redrawn.size(), 2u);
+  ExpectEmbedded(stages);
+  ExpectLinked(stages.Crossings);
+  Index kept = 0; // vertices of the arc
+  for (Index point = 0; point < stages.Graph.Count(); ++point)
+  {
+    const Point3 p = PointOf(stages.Graph, point);
+    kept += p == Point3{ 2.5, 0.1, 0.0 } || p == Point3{ 0.5, 0.1, 0.0 } ? 1 : 0;
+  }
+  EXPECT_EQ(kept, 2);
+}
+
+//----------------------------------------------------------------------------
 TEST(EmbedArcs, RedrawsFacesOnDemand)
 {
   Stages stages(Octahedron());

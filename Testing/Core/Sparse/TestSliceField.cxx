@@ -47,18 +47,18 @@ struct Sliced
   }
 };
 
-/// Places on the surface of a ball around the origin, evenly.
-std::vector<Point3> PlacesOnBall(double radius)
+/// Directions, evenly over all of them.
+std::vector<Point3> Directions()
 {
-  std::vector<Point3> places;
+  std::vector<Point3> directions;
   constexpr int count = 200;
   for (int i = 0; i < count; ++i)
   {
     const double z = 1.0 - (2.0 * i + 1.0) / count, angle = 2.399963 * i;
     const double r = std::sqrt(1.0 - z * z);
-    places.push_back({ radius * r * std::cos(angle), radius * r * std::sin(angle), radius * z });
+    directions.push_back({ r * std::cos(angle), r * std::sin(angle), z });
   }
-  return places;
+  return directions;
 }
 
 Contours Cut(const Sliced& sliced, const Execution& execution = Execution())
@@ -72,22 +72,17 @@ Contours Cut(const Sliced& sliced, const Execution& execution = Execution())
 /// Three circles on each axis tell all of a ball, slopes of slices near its poles included.
 TEST(SliceField, IsTheDistanceFromABall)
 {
-  const Solid ball = PlainBall();
-  const double radius = -ball.Value({ 0.0, 0.0, 0.0 });
-  const Sliced sliced(ball, { 3, 3, 3 });
+  const Point3 centre{ 0.02, -0.01, 0.01 }; // of radius 1
+  const Sliced sliced(PlainBall(), { 3, 3, 3 });
   const SliceField field = sliced.Solve();
   ASSERT_TRUE(field.IsSolved());
-  for (const Point3& place : PlacesOnBall(radius))
+  for (const Point3& direction : Directions())
   {
-    EXPECT_NEAR(field.Value(place), 0.0, 0.015 * radius);
+    EXPECT_NEAR(field.Value(centre + direction), 0.0, 0.01);
+    EXPECT_LT(field.Distance(centre + direction), 0.01);
     // Nearby, about the distance: slopes are right at the contours, and even between them.
-    for (const double off : { -0.1, 0.1 })
-    {
-      const double value = field.Value((1.0 - off) * place) / (radius * off);
-      EXPECT_GT(value, 0.5);
-      EXPECT_LT(value, 1.5);
-    }
-    EXPECT_LT(field.Distance(place), 0.02 * radius);
+    EXPECT_NEAR(field.Value(centre + 0.9 * direction), 0.1, 0.02);
+    EXPECT_NEAR(field.Value(centre + 1.1 * direction), -0.1, 0.02);
   }
 }
 
@@ -114,8 +109,9 @@ TEST(SliceField, ScalesWithTheContours)
   const Sliced small(PlainBall(), { 2, 2, 2 }), large(PlainBall(), { 2, 2, 2 }, 1024.0);
   const SliceField fine = small.Solve();
   const SliceField coarse = large.Solve();
-  for (const Point3& place : PlacesOnBall(0.7))
+  for (const Point3& direction : Directions())
   {
+    const Point3 place = 0.7 * direction;
     EXPECT_NEAR(coarse.Value(1024.0 * place), 1024.0 * fine.Value(place), 1e-6);
   }
 }
