@@ -255,13 +255,17 @@ bool SparseRunner::SketchWithoutField(Pass& pass) const
 /// Makes the surface anew, with virtual slices of a field through all contours. That decides what the
 /// contours leave open, but not against them: what the first surface joins stays joined, and tunnels come
 /// in only where slices agree, and if the field foretells them as well. False if what there is without
-/// a field foretells slices better.
+/// a field foretells slices better, or leaves components out.
 bool SparseRunner::FollowField()
 {
   constexpr double asGood = 0.95;
   // A surface that was bent is as smooth as a field; patches within cells are not.
   const double enough = this->Sparse.Bending.IsSparse() ? 1.05 : 0.75;
   const Pass& first = this->First;
+  if (first.Result.SmallComponents > 0)
+  {
+    return false; // a field goes through the contours of those that are left out, too
+  }
   const std::vector<WorldLoop> loops = ListLoops(this->Drawn, first);
   const double step = SampleStep(loops, this->Sparse.EdgeLength());
   const double patchesByField = ComparePredictions(
@@ -276,7 +280,7 @@ bool SparseRunner::FollowField()
     return false;
   }
   const Contours added = CutField(field, first.Result.Grid, this->Sparse.Field, first.Execute);
-  const PriorKnowledge known{ TopologyOf(first.Result).Components, -1 };
+  const PriorKnowledge known{ first.Result.Topology.Components, -1 };
   const Index genus = first.Result.Topology.Genus;
   const bool doAgree = DoSlicesAgree(first.Result);
   const auto isRight = [&](const SurfaceTopology& found)
