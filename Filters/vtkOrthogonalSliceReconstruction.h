@@ -542,6 +542,21 @@ public:
 
   ///@{
   /**
+   * With several families of fewer than a dozen slices each, or a stack of 8 to 16 with a few across:
+   * whether virtual slices are those of a smooth function that is zero on all contours (radial basis
+   * functions with derivatives), if it foretells slices that are left out about as well as what there is
+   * without it. Of round things with few slices that is mostly much closer; but it depends on rounding,
+   * so that the same contours in another order or along other axes give a surface that differs a
+   * little, and it may join what the slices leave open. Takes seconds. Nothing with VirtualSlices off.
+   * Default: off.
+   */
+  vtkSetMacro(FollowField, bool);
+  vtkGetMacro(FollowField, bool);
+  vtkBooleanMacro(FollowField, bool);
+  ///@}
+
+  ///@{
+  /**
    * How the object ends where there is one family of slices. Dome (default): in domes, half a spacing
    * high at most, or flat at the last slice where the last section is at least 0.98 of the one before.
    * Flat: flat at the last slice of each part, also where a part ends between two slices; what is on
@@ -855,6 +870,7 @@ private:
   bool InsertMissingContours = true;
   int VirtualSlices = AUTOMATIC_VIRTUAL_SLICES;
   double VirtualSliceSpacing = 0.0;
+  bool FollowField = false;
   int EndCaps = DOME_ENDS;
   bool ComputeNormals = true;
   bool ComputeCurvatures = false;

@@ -180,6 +180,7 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.InsertMissing = this->InsertMissingContours;
   options.Virtual = VirtualSlicesModes[this->VirtualSlices].Value;
   options.VirtualSpacing = this->VirtualSliceSpacing;
+  options.FollowField = this->FollowField;
   options.Ends = EndCapsModes[this->EndCaps].Value;
   options.Invalid = InvalidContoursModes[this->InvalidContours].Value;
   options.AtBorder = BorderContoursModes[this->BorderContours].Value;
@@ -238,6 +239,7 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InsertMissingContours: " << (this->InsertMissingContours ? "On" : "Off") << "\n";
   os << indent << "VirtualSlices: " << VirtualSlicesModes[this->VirtualSlices].Name << "\n";
   os << indent << "VirtualSliceSpacing: " << this->VirtualSliceSpacing << "\n";
+  os << indent << "FollowField: " << (this->FollowField ? "On" : "Off") << "\n";
   os << indent << "EndCaps: " << EndCapsModes[this->EndCaps].Name << "\n";
   os << indent << "SeveralCycles: " << SeveralCyclesModes[this->SeveralCycles].Name << "\n";
   os << indent << "Correspondence: " << Correspondences[this->Correspondence].Name << "\n";

@@ -132,13 +132,17 @@ bool AddBorderSlices(Pass& pass)
   const Contours cuts = CutAtSides(sketch.Result, sides, border, pass.Execute);
   if (cuts.Count() > 0)
   {
-    Box3 bounds = border;
+    // Contours that are moved out must not widen the bounds elsewhere.
+    const SpatialGrid& grid = pass.Result.Grid;
+    Box3 bounds{ grid.Lowest, grid.Highest };
     Point3 beyond;
     for (int axis = 0; axis < 3; ++axis)
     {
-      beyond[axis] = RoomBeyondEnd(pass.Result.Grid, axis);
-      bounds.Low[axis] -= 2.0 * beyond[axis];
-      bounds.High[axis] += 2.0 * beyond[axis];
+      beyond[axis] = RoomBeyondEnd(grid, axis);
+      const bool hasLow = std::isfinite(border.Low[axis]);
+      const bool hasHigh = std::isfinite(border.High[axis]);
+      bounds.Low[axis] = hasLow ? border.Low[axis] - 2.0 * beyond[axis] : bounds.Low[axis];
+      bounds.High[axis] = hasHigh ? border.High[axis] + 2.0 * beyond[axis] : bounds.High[axis];
     }
     pass.Tables.Contours = ContinueBeyond(pass.Tables.Contours, border, beyond);
     pass.AddVirtualSlices(cuts, bounds);

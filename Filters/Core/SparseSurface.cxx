@@ -324,7 +324,10 @@ SparseSlices::SparseSlices(const Pass& pass)
   const double spacing = options.Virtual == VirtualSlices::BySpacing ? options.VirtualSpacing : 0.0;
   const Box3 box = BoxOf(pass.Tables.Contours);
   this->Bending = { pass.Result.Grid, box, spacing };
-  this->Field = { pass.Result.Grid, box, spacing, SparseRule::Field };
+  if (options.FollowField)
+  {
+    this->Field = { pass.Result.Grid, box, spacing, SparseRule::Field };
+  }
 }
 
 bool MakeSparseSurface(const SparseSlices& sparse, Pass& pass)

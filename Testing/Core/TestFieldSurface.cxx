@@ -25,6 +25,7 @@ Reconstruction MakeSurfaceOf(const PieceSets& sets, VirtualSlices use = VirtualS
 {
   Options options;
   options.Virtual = use;
+  options.FollowField = true;
   return Reconstruct(PieceSets(sets), options, Execution());
 }
 
