@@ -175,16 +175,20 @@ Index ArcEmbedder::AddBumps(const FaceArcs& face, double steepness, FaceCurves& 
 /// Passes the vertices of the arcs in another order. False if that does not help.
 bool ArcEmbedder::Uncross(const FaceArcs& face, FaceDrawing& drawing) const
 {
-  // An arc that runs beside the edge of M may take the top of a bump over. The next bump has to fit
-  // between the two, so that it is flatter.
-  constexpr double steepest = 0.25, flattest = 1.0 / 1024.0;
-  double steepness = steepest;
+  // An arc that runs beside the edge of M may take the top of a bump over. On a virtual slice the next
+  // bump has to fit between the two, so that it is flatter. On a real one bumps stay as they are: of
+  // things thinner than the slices are apart they are most of the volume.
+  constexpr int maxRounds = 4;
+  const bool isVirtual = this->Geometry.Grid.IsVirtual(face.Face.Axis, face.Face.Plane);
+  const double flatter = isVirtual ? 0.25 : 1.0;
+  double steepness = 0.25;
   FaceCurves curves = this->GetCurves(face);
   this->AddBumps(face, steepness, curves);
   Uncrossing outcome = UncrossCurves(curves.Curves);
-  while (outcome.Simple && this->AddBumps(face, steepness *= 0.25, curves) > 0)
+  for (int round = 1; outcome.Simple && this->AddBumps(face, steepness *= flatter, curves) > 0;
+       ++round)
   {
-    if (steepness < flattest)
+    if (round == maxRounds)
     {
       return false;
     }

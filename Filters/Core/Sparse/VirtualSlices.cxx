@@ -57,7 +57,7 @@ bool MakeFair(
     steps.insert(steps.end(), { guide, bend, split, collapse, flip, bend });
   }
   // What was bent without knowing its shape has to be meshed anew, and so has what guides have moved.
-  const int rounds = guides.Slices.empty() ? density.Rounds() : 2;
+  const int rounds = guides.Slices.empty() ? 1 : 2;
   for (int round = 0; round < rounds; ++round)
   {
     steps.insert(steps.end(), { split, collapse, flip, bendAgain });
