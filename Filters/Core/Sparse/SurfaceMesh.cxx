@@ -59,30 +59,48 @@ constexpr double SpacingsOfRadius = 0.85;
 /// The same where the surface has an edge around a flat end, and bends there as it likes: like a soap
 /// film it would narrow a tube between two such ends by one part in 2 (2 radii / spacings) ^ 2.
 constexpr double SpacingsOfRadiusAtEdge = 3.0;
-/// Thinner things are not worth the triangles.
+/// Thinner things are not worth the triangles. Where there are several families, more of them show what
+/// is thin.
 constexpr double MaxStretch = 16.0;
+constexpr double MaxStretchOfSeveral = 4.0;
+
+/// Points of contours without node points.
+void StretchLoop(
+  const CycleGeometry& geometry, const StackEnds& ends, Index loop, SurfaceMesh& mesh)
+{
+  const NodeGraph& graph = geometry.Graph;
+  const Index first = graph.FirstPoint(graph.Arcs + loop);
+  const int axis = graph.Loops[loop].Axis;
+  const bool isOnly = mesh.StretchAxis >= 0;
+  const bool isAtEdge = isOnly && (mesh.Crease[first] != 0 || ends.HasRim[loop] != 0);
+  const double spacings = isAtEdge ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
+  const double needed = spacings * geometry.Grid.MeanSpacing(axis);
+  const double stretch = std::clamp(needed / ThicknessOfLoop(graph, mesh.Metric, loop), 1.0,
+    isOnly ? MaxStretch : MaxStretchOfSeveral);
+  Point3 within{ stretch, stretch, stretch };
+  within[axis] = 1.0;
+  std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), within);
+}
 
 void FindStretch(const CycleGeometry& geometry, const StackEnds& ends, SurfaceMesh& mesh)
 {
-  const NodeGraph& graph = geometry.Graph;
-  for (Index loop = 0; loop < static_cast<Index>(graph.Loops.size()); ++loop)
+  for (Index loop = 0; loop < static_cast<Index>(geometry.Graph.Loops.size()); ++loop)
   {
-    const Index first = graph.FirstPoint(graph.Arcs + loop);
-    const bool isAtEdge = mesh.Crease[first] != 0 || ends.HasRim[loop] != 0;
-    const double spacings = isAtEdge ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
-    const double needed = spacings * geometry.Grid.MeanSpacing(mesh.StretchAxis);
-    const double stretch =
-      std::clamp(needed / ThicknessOfLoop(graph, mesh.Metric, loop), 1.0, MaxStretch);
-    std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), stretch);
+    StretchLoop(geometry, ends, loop, mesh);
   }
-  for (Index point = graph.Count(); point < mesh.Corners.PointCount(); ++point)
+  for (Index point = geometry.Graph.Count(); point < mesh.Corners.PointCount(); ++point)
   {
-    double greatest = 1.0;
+    Point3 greatest = SurfaceMesh::Unstretched;
     if (mesh.Corners.IsUsed(point))
     {
       mesh.Corners.ForCornersAt(point,
-        [&](Index at) {
-          greatest = std::max(greatest, mesh.Stretch[mesh.Corners.VertexOf(CornerTable::Next(at))]);
+        [&](Index at)
+        {
+          const Point3& beside = mesh.Stretch[mesh.Corners.VertexOf(CornerTable::Next(at))];
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            greatest[axis] = std::max(greatest[axis], beside[axis]);
+          }
         });
     }
     mesh.Stretch[point] = greatest;
@@ -232,7 +250,8 @@ SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patche
   const std::size_t count = draft.Points.size();
   SurfaceMesh mesh{ CornerTable(static_cast<Index>(count), draft.Triangles),
     std::move(draft.Points), {}, std::vector<std::uint8_t>(count, 0), std::move(draft.Patch),
-    std::move(cells), geometry.Grid.Metric, axis, std::vector<double>(count, 1.0) };
+    std::move(cells), geometry.Grid.Metric, axis,
+    std::vector<Point3>(count, SurfaceMesh::Unstretched) };
   mesh.Fixed.assign(count, 0);
   std::fill_n(mesh.Fixed.begin(), geometry.Graph.Count(), std::uint8_t(1));
   std::fill(
@@ -243,6 +262,9 @@ SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patche
   {
     MarkWalls(geometry.Graph, ends, mesh);
     MarkFlatPatches(geometry, patches, ends, mesh);
+  }
+  if (axis >= 0 || mesh.Metric.IsWorld())
+  {
     FindStretch(geometry, ends, mesh);
   }
   return mesh;

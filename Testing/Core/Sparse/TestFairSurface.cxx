@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
+#include <vector>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -45,7 +47,7 @@ struct Rings
 void Stretch(double stretch, SurfaceMesh& mesh)
 {
   mesh.StretchAxis = 2;
-  std::fill(mesh.Stretch.begin(), mesh.Stretch.end(), stretch);
+  std::fill(mesh.Stretch.begin(), mesh.Stretch.end(), Point3{ stretch, stretch, 1.0 });
 }
 
 template <typename Visit>
@@ -133,13 +135,43 @@ TEST(FairSurface, ThinTubesKeepTheirRadiusIfStretched)
 }
 
 //----------------------------------------------------------------------------
+/// Least bending flattens what is round between its contours, the more the rounder; against the load on
+/// it a tube and a ball keep their radius.
+TEST(FairSurface, WhatIsRoundKeepsItsRadius)
+{
+  const auto tube = [](double) { return 0.9; };
+  const auto ball = [](double z) { return std::sqrt(1.44 - z * z); };
+  const std::vector<std::pair<std::function<double(double)>, Index>> shapes{ { tube, 10 },
+    { ball, 3 } };
+  for (const auto& [radius, rings] : shapes)
+  {
+    std::array<double, 2> errors{};
+    for (const EdgeWeights weights : { EdgeWeights::Cotangents, EdgeWeights::RoundCotangents })
+    {
+      SurfaceMesh mesh = Rings(radius, rings).Surface(0.1, 1.05 * radius(0.0));
+      MakeFair(0.1, mesh);
+      for (int round = 0; round < 3; ++round)
+      {
+        FairSurface(weights, mesh);
+      }
+      errors[weights == EdgeWeights::RoundCotangents ? 1 : 0] =
+        RadiusError(mesh, 0.45, radius); // far from the ends
+      ExpectInCells(mesh);
+    }
+    EXPECT_GT(errors[0], 0.003);
+    EXPECT_LT(errors[1], 0.5 * errors[0]);
+  }
+}
+
+//----------------------------------------------------------------------------
 TEST(FairSurface, PointsOfContoursDoNotMove)
 {
   const Rings rings([](double z) { return 1.5 + 0.5 * std::sin(2.0 * z); }, 5);
   SurfaceMesh mesh = rings.Surface(0.3, 4.0);
   RefineEdges(0.5, mesh);
   const SurfaceMesh before = mesh;
-  for (const EdgeWeights weights : { EdgeWeights::Uniform, EdgeWeights::Cotangents })
+  for (const EdgeWeights weights :
+    { EdgeWeights::Uniform, EdgeWeights::Cotangents, EdgeWeights::RoundCotangents })
   {
     FairSurface(weights, mesh);
   }
@@ -226,7 +258,8 @@ TEST(FairSurface, SideBetweenTwoCreasesStaysStraight)
 TEST(FairSurface, NothingFixedIsNoReasonToFail)
 {
   SurfaceMesh mesh = FreeSurface(TorusMesh(12, 8), 3.0);
-  for (const EdgeWeights weights : { EdgeWeights::Uniform, EdgeWeights::Cotangents })
+  for (const EdgeWeights weights :
+    { EdgeWeights::Uniform, EdgeWeights::Cotangents, EdgeWeights::RoundCotangents })
   {
     FairSurface(weights, mesh);
     ForPoints(mesh,
