@@ -32,6 +32,25 @@ Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const Box3& guides
   return box;
 }
 
+/// Along the missing one of several axes, points stay within half the greater spacing of where their patch was.
+/// No planes bound the cell there, and a patch that hangs on little could become a bar.
+void BoundAlongMissingAxis(const SpatialGrid& grid, const Box3& patch, Box3& cell)
+{
+  double spacing = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing = grid.Count(axis) > 1 ? std::max(spacing, grid.MeanSpacing(axis)) : spacing;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (grid.Count(axis) == 0 && spacing > 0.0 && patch.Low[axis] <= patch.High[axis])
+    {
+      cell.Low[axis] = std::max(cell.Low[axis], patch.Low[axis] - 0.5 * spacing);
+      cell.High[axis] = std::min(cell.High[axis], patch.High[axis] + 0.5 * spacing);
+    }
+  }
+}
+
 /// Twice the area by the length: the radius of a circle, the thickness of a long strip.
 double ThicknessOfLoop(const NodeGraph& graph, const AxisFrame& metric, Index loop)
 {
@@ -59,10 +78,9 @@ constexpr double SpacingsOfRadius = 0.85;
 /// The same where the surface has an edge around a flat end, and bends there as it likes: like a soap
 /// film it would narrow a tube between two such ends by one part in 2 (2 radii / spacings) ^ 2.
 constexpr double SpacingsOfRadiusAtEdge = 3.0;
-/// Thinner things are not worth the triangles. Where there are several families, more of them show what
-/// is thin.
+/// Thinner things are not worth the triangles. Of two families, both show what is thin.
 constexpr double MaxStretch = 16.0;
-constexpr double MaxStretchOfSeveral = 4.0;
+constexpr double MaxStretchOfTwo = 2.0;
 
 /// Points of contours without node points.
 void StretchLoop(
@@ -75,8 +93,8 @@ void StretchLoop(
   const bool isAtEdge = isOnly && (mesh.Crease[first] != 0 || ends.HasRim[loop] != 0);
   const double spacings = isAtEdge ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
   const double needed = spacings * geometry.Grid.MeanSpacing(axis);
-  const double stretch = std::clamp(needed / ThicknessOfLoop(graph, mesh.Metric, loop), 1.0,
-    isOnly ? MaxStretch : MaxStretchOfSeveral);
+  const double stretch = std::clamp(
+    needed / ThicknessOfLoop(graph, mesh.Metric, loop), 1.0, isOnly ? MaxStretch : MaxStretchOfTwo);
   Point3 within{ stretch, stretch, stretch };
   within[axis] = 1.0;
   std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), within);
@@ -169,6 +187,19 @@ void MarkWalls(const NodeGraph& graph, const StackEnds& ends, SurfaceMesh& mesh)
   }
 }
 
+Box3 BoxOfPatch(const DraftMesh& draft, const Patches& patches, Index patch)
+{
+  Box3 box;
+  for (std::int64_t t = patches.Offsets[patch]; t < patches.Offsets[patch + 1]; ++t)
+  {
+    for (const Index point : draft.Triangles[static_cast<std::size_t>(t)])
+    {
+      box.Add(draft.Points[point]);
+    }
+  }
+  return box;
+}
+
 /// Contours run between patches of different cells.
 void MarkContours(SurfaceMesh& mesh)
 {
@@ -238,6 +269,10 @@ SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patche
   for (Index cycle = 0; cycle < cycles; ++cycle)
   {
     cells.push_back(BoundCell(geometry.Grid, contours, guided, geometry.Cycles.Cell[cycle]));
+    if (CountFamilies(geometry.Grid) == 2)
+    {
+      BoundAlongMissingAxis(geometry.Grid, BoxOfPatch(draft, patches, cycle), cells.back());
+    }
     std::fill(draft.Patch.begin() + patches.Offsets[cycle],
       draft.Patch.begin() + patches.Offsets[cycle + 1], cycle);
   }
@@ -263,7 +298,7 @@ SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patche
     MarkWalls(geometry.Graph, ends, mesh);
     MarkFlatPatches(geometry, patches, ends, mesh);
   }
-  if (axis >= 0 || mesh.Metric.IsWorld())
+  if (axis >= 0 || (mesh.Metric.IsWorld() && CountFamilies(geometry.Grid) == 2))
   {
     FindStretch(geometry, ends, mesh);
   }

@@ -45,16 +45,6 @@ double DensestSpacing(const SpatialGrid& grid)
   return least;
 }
 
-int CountFamilies(const SpatialGrid& grid)
-{
-  int families = 0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    families += grid.Count(axis) > 0 ? 1 : 0;
-  }
-  return families;
-}
-
 /// The axis with enough planes, each other one having few against it, and both together some: at
 /// most FewAcross, or one for FewAgainstMany; -1 if there is none.
 int FindStack(const SpatialGrid& grid)

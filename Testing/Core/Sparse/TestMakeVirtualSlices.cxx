@@ -218,7 +218,7 @@ TEST(SurfaceMesh, ThinContoursOfTwoFamiliesAreStretched)
       stretched += mesh.IsStretched(point) ? 1 : 0;
       EXPECT_TRUE(stretch == SurfaceMesh::Unstretched ||
         std::count(stretch.begin(), stretch.end(), 1.0) == 1);
-      EXPECT_LE(*std::max_element(stretch.begin(), stretch.end()), 4.0);
+      EXPECT_LE(*std::max_element(stretch.begin(), stretch.end()), 2.0);
     }
     const double share = static_cast<double>(stretched) / sliced.First.Graph.Count();
     EXPECT_TRUE(thickness < 0.1 ? share > 0.5 : share < 0.05) << share;
