@@ -16,8 +16,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// A vector for each point or each equation.
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-/// The Laplacian of a mesh: applied to the coordinates and divided by the areas it is the vector of twice
-/// the mean curvature, which points inwards where the surface is convex.
+/// The Laplacian of a mesh: applied to the coordinates and divided by the areas it is the vector of
+/// twice the mean curvature, which points inwards where the surface is convex.
 struct BendingOperator
 {
   SparseMatrix Laplacian;   ///< square; rows of unused points are empty

@@ -16,7 +16,8 @@ constexpr double LeastRadius = 0.5;
 /// How far a point may move, in edges.
 constexpr double ShareOfEdge = 0.25;
 
-/// Of each point, outwards, of unit length: the mean of the triangles' normals, weighted by their angles.
+/// Of each point, outwards, of unit length: the mean of the triangles' normals, weighted by their
+/// angles.
 Columns FindNormals(const SurfaceMesh& mesh)
 {
   const CornerTable& corners = mesh.Corners;
@@ -58,7 +59,8 @@ Columns PlacesOf(const SurfaceMesh& mesh)
   return places;
 }
 
-/// The width of a cell between planes, of two families the greater one: the middle one of its three extents.
+/// The width of a cell between planes, of two families the greater one: the middle one of its three
+/// extents.
 double WidthOf(const Box3& cell)
 {
   Point3 extent = cell.High - cell.Low;
@@ -84,7 +86,8 @@ RoundnessLoad KeepRound(const SurfaceMesh& mesh)
       continue;
     }
     const double most = 1.0 / (LeastRadius * WidthOf(mesh.Cells[mesh.CellOf(point)]));
-    // The sum of the squares of both principal curvatures, and their sum, whose square is at most twice that.
+    // The sum of the squares of both principal curvatures, and their sum, whose square is at most
+    // twice that.
     const double squares =
       std::clamp(-turning.row(point).dot(normals.row(point)) / area, 0.0, 2.0 * most * most);
     const double bound = std::sqrt(2.0 * squares);

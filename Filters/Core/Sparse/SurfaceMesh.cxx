@@ -32,8 +32,9 @@ Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const Box3& guides
   return box;
 }
 
-/// Along the missing one of several axes, points stay within half the greater spacing of where their patch was.
-/// No planes bound the cell there, and a patch that hangs on little could become a bar.
+/// Along the missing one of several axes, points stay within half the greater spacing of where
+/// their patch was. No planes bound the cell there, and a patch that hangs on little could become a
+/// bar.
 void BoundAlongMissingAxis(const SpatialGrid& grid, const Box3& patch, Box3& cell)
 {
   double spacing = 0.0;
@@ -75,8 +76,9 @@ double ThicknessOfLoop(const NodeGraph& graph, const AxisFrame& metric, Index lo
 /// The radius of a tube that slices one spacing apart show well: least bending then narrows it by
 /// half a percent in the middle between two slices.
 constexpr double SpacingsOfRadius = 0.85;
-/// The same where the surface has an edge around a flat end, and bends there as it likes: like a soap
-/// film it would narrow a tube between two such ends by one part in 2 (2 radii / spacings) ^ 2.
+/// The same where the surface has an edge around a flat end, and bends there as it likes: like a
+/// soap film it would narrow a tube between two such ends by one part in 2 (2 radii / spacings) ^
+/// 2.
 constexpr double SpacingsOfRadiusAtEdge = 3.0;
 /// Thinner things are not worth the triangles. Of two families, both show what is thin.
 constexpr double MaxStretch = 16.0;
@@ -149,8 +151,8 @@ bool IsFlat(const std::vector<Index>& points, double spacing, const SurfaceMesh&
   return box.High[axis] - box.Low[axis] < FlatShare * spacing;
 }
 
-/// Where the object ends with a flat patch, in a slice or within a rim, the surface has an edge around
-/// it, and where walls go on from the last slice to its copy.
+/// Where the object ends with a flat patch, in a slice or within a rim, the surface has an edge
+/// around it, and where walls go on from the last slice to its copy.
 void MarkFlatPatches(
   const CycleGeometry& geometry, const Patches& patches, const StackEnds& ends, SurfaceMesh& mesh)
 {

@@ -81,8 +81,8 @@ struct SurfaceMesh
   Index CellOf(Index point) const { return this->Cell[this->Corners.CornerAt(point) / 3]; }
 };
 
-/// Puts a point on the edge of a corner, after a share of the way from its start to its end. On a curve
-/// the point is fixed; it is on a crease if both ends are.
+/// Puts a point on the edge of a corner, after a share of the way from its start to its end. On a
+/// curve the point is fixed; it is on a crease if both ends are.
 void SplitEdge(Index corner, double share, SurfaceMesh& mesh);
 
 /// Triangles of points that they may share.
@@ -102,13 +102,13 @@ SurfaceTriangles ListTriangles(
  * extent being the spacing where there are fewer than two planes.
  *
  * With one family of slices, contours around a patch that is flatter than FlatShare of the spacing
- * become creases: the object ends flat. Where guides show what is beyond the last slice, they decide
- * whether it does there or within a rim farther out (RaiseEnds). At creases, too, points of a contour
- * are stretched by what makes its thickness (twice its area by its length: the radius of a circle) 0.85
- * of the mean spacing, or 3 spacings at a crease, between 1 and 16 times; other points along each axis
- * as the one beside them that is stretched most. With two families this holds for contours between the
- * planes of the other one, up to twice; and along the missing axis points of a patch stay within half the
- * greater spacing of where they were.
+ * become creases: the object ends flat. Where guides show what is beyond the last slice, they
+ * decide whether it does there or within a rim farther out (RaiseEnds). At creases, too, points of
+ * a contour are stretched by what makes its thickness (twice its area by its length: the radius of
+ * a circle) 0.85 of the mean spacing, or 3 spacings at a crease, between 1 and 16 times; other
+ * points along each axis as the one beside them that is stretched most. With two families this
+ * holds for contours between the planes of the other one, up to twice; and along the missing axis
+ * points of a patch stay within half the greater spacing of where they were.
  * REQUIRES: the patches are laid out as triangles.
  */
 SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patches,

@@ -18,8 +18,8 @@ using namespace orthoslices::support;
 
 namespace
 {
-/// So many that no edge of the contours is shorter than four fifths of those asked for: all of their
-/// points stay, and an error of the radius is one of the surface between them.
+/// So many that no edge of the contours is shorter than four fifths of those asked for: all of
+/// their points stay, and an error of the radius is one of the surface between them.
 constexpr Index Segments = 48;
 
 /// Contours of a solid of revolution around the z axis, on planes 1 apart around 0.
@@ -120,8 +120,8 @@ TEST(FairSurface, BetweenTheRingsOfABallItsRadiusIsRight)
 }
 
 //----------------------------------------------------------------------------
-/// A tube that is thin against the distance of its slices is drawn in between them by least bending;
-/// stretched, it is not.
+/// A tube that is thin against the distance of its slices is drawn in between them by least
+/// bending; stretched, it is not.
 TEST(FairSurface, ThinTubesKeepTheirRadiusIfStretched)
 {
   const auto radius = [](double) { return 0.15; };
@@ -135,8 +135,8 @@ TEST(FairSurface, ThinTubesKeepTheirRadiusIfStretched)
 }
 
 //----------------------------------------------------------------------------
-/// Least bending flattens what is round between its contours, the more the rounder; against the load on
-/// it a tube and a ball keep their radius.
+/// Least bending flattens what is round between its contours, the more the rounder; against the
+/// load on it a tube and a ball keep their radius.
 TEST(FairSurface, WhatIsRoundKeepsItsRadius)
 {
   const auto tube = [](double) { return 0.9; };
@@ -209,7 +209,8 @@ TEST(FairSurface, PointsStayInTheirCells)
 }
 
 //----------------------------------------------------------------------------
-/// With an edge around it a flat end stays flat and the side next to it straight; without, it bulges.
+/// With an edge around it a flat end stays flat and the side next to it straight; without, it
+/// bulges.
 TEST(FairSurface, FlatEndsStayFlatWithinTheirCrease)
 {
   const auto radius = [](double) { return 1.2; };
@@ -239,8 +240,8 @@ TEST(FairSurface, FlatEndsStayFlatWithinTheirCrease)
 }
 
 //----------------------------------------------------------------------------
-/// Two contours with a crease each, as of a short rod with flat ends: its side stays straight. Least
-/// bending alone would draw it in as a film of soap.
+/// Two contours with a crease each, as of a short rod with flat ends: its side stays straight.
+/// Least bending alone would draw it in as a film of soap.
 TEST(FairSurface, SideBetweenTwoCreasesStaysStraight)
 {
   const auto radius = [](double) { return 1.0; };

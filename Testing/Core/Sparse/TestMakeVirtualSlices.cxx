@@ -198,8 +198,8 @@ TEST(SurfaceMesh, ContoursAreCurvesOfFixedPoints)
 }
 
 //----------------------------------------------------------------------------
-/// With two families, what is thin between their planes is stretched, along both axes of its slices; what
-/// is thick is not, but perhaps for tips.
+/// With two families, what is thin between their planes is stretched, along both axes of its
+/// slices; what is thick is not, but perhaps for tips.
 TEST(SurfaceMesh, ThinContoursOfTwoFamiliesAreStretched)
 {
   for (const double thickness : { 0.04, 0.3 })
@@ -226,8 +226,8 @@ TEST(SurfaceMesh, ThinContoursOfTwoFamiliesAreStretched)
 }
 
 //----------------------------------------------------------------------------
-/// Of families that are not at right angles, lengths and angles are those of the world; the stretch is
-/// along the slices, whatever the axes are.
+/// Of families that are not at right angles, lengths and angles are those of the world; the stretch
+/// is along the slices, whatever the axes are.
 TEST(SurfaceMesh, LengthsAreThoseOfTheWorld)
 {
   const double s = 0.6, c = 0.8;

@@ -30,8 +30,8 @@ SurfaceMesh Ball(double width)
   return FreeSurface(RingMesh(32, radii, heights, -Radius, Radius), 0.5 * width);
 }
 
-/// The force away from the origin by area, in the mean over the points away from the poles, where triangles
-/// are slender.
+/// The force away from the origin by area, in the mean over the points away from the poles, where
+/// triangles are slender.
 double MeanPush(const RoundnessLoad& load, const SurfaceMesh& mesh)
 {
   const auto isMeant = [&](Index point) { return std::abs(mesh.Points[point][2]) < 0.8 * Radius; };
