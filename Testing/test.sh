@@ -100,8 +100,9 @@ prepare_others()
   local core="-DORTHOGONAL_SLICES_CORE_BUILD=$PWD/build/core"
   unpack_vtk "$vtk"
   configure_preset fuzz -DORTHOGONAL_SLICES_TEST_PREFIX=fuzz.
+  # /usr is where its packages for Debian are installed.
   configure_folder build/paraview "$core" -DORTHOGONAL_SLICES_TEST_PREFIX=paraview. \
-    -DORTHOGONAL_SLICES_TEST_INTERFACE_ONLY=ON
+    -DORTHOGONAL_SLICES_TEST_INTERFACE_ONLY=ON -DCMAKE_INSTALL_PREFIX=/usr
   with_plain_vtk configure_folder build/vtk "$core" -DORTHOGONAL_SLICES_TEST_PREFIX=vtk. \
     "-DVTK_DIR=$vtk_dir"
 }
