@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """python3 TestReconstruct.py: the function of the Python package, for arrays of NumPy."""
 
+import contextlib
 import inspect
+import io
 import os
+import re
 import typing
 import unittest
 import warnings
@@ -23,8 +26,9 @@ from orthogonalslices import (
 )
 from orthogonalslices.vtkFiltersOrthogonalSlices import vtkOrthogonalSliceReconstruction
 
-PROXIES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin",
-                       "OrthogonalSliceReconstruction.xml")
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+PROXIES = os.path.join(ROOT, "Plugin", "OrthogonalSliceReconstruction.xml")
+PAGE = os.path.join(ROOT, "Filters", "Python", "README.md")
 
 
 def circles(axis, count=9, radius=1.0, center=(0.0, 0.0, 0.0), corners=90):
@@ -262,6 +266,26 @@ class Properties(unittest.TestCase):
         data = vtkPolyData()
         self.assertIs(polydata_of(data), data)
         self.assertRegex(orthogonalslices.__version__, r"^\d+\.\d+\.\d+$")
+
+
+class Page(unittest.TestCase):
+    def test_blocks_run_and_say_what_is_true(self):
+        with open(PAGE, encoding="utf-8") as page:
+            blocks = re.findall("^```python\n(.*?)^```", page.read(), re.DOTALL | re.MULTILINE)
+        self.assertGreater(len(blocks), 5)
+        folder = os.getcwd()
+        self.addCleanup(os.chdir, folder)
+        os.chdir(ROOT)
+        names = {}
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            for block in blocks:
+                exec(compile(block, PAGE, "exec"), names)  # pylint: disable=exec-used
+        self.assertAlmostEqual(volume_of(names["points"], names["triangles"]) / BALL, 1, delta=0.01)
+        self.assertEqual(loose_edges(names["left"]), 0)
+        self.assertRegex(said.getvalue(), "(?s)left.*right.*contradict")
+        self.assertEqual(len(names["normals"]), len(names["points"]))
+        self.assertEqual(loose_edges(names["knot"].triangles), 0)
 
 
 if __name__ == "__main__":
