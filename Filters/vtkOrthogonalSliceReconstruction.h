@@ -796,6 +796,12 @@ public:
    */
   void SetFamilyConnection(int family, vtkAlgorithmOutput* output);
 
+  /**
+   * Connects slices of any families: the same as SetInputConnection(3, output). It is all the input
+   * that one family of parallel slices needs, whatever the direction of their planes.
+   */
+  void SetContoursConnection(vtkAlgorithmOutput* output);
+
   ///@{
   /**
    * The graph G (port 1), the histogram of polygon sizes (port 2), and the tables of contours

@@ -33,7 +33,7 @@ names = [tracker.GetPluginName(k) for k in range(tracker.GetNumberOfPlugins())]
 assert "OrthogonalSlices" in names, f"listed are {names}"
 assert tracker.GetPluginLoaded(names.index("OrthogonalSlices")), "it is not loaded"
 slicer = simple.OrthogonalSlicer(Input=simple.Sphere())
-surface = simple.ParallelSliceReconstruction(ZSlices=simple.OutputPort(slicer, 2))
+surface = simple.ParallelSliceReconstruction(Input=simple.OutputPort(slicer, 2))
 surface.UpdatePipeline()
 assert surface.GetDataInformation().GetNumberOfCells() > 0, "the surface is empty"
 """
