@@ -3,7 +3,7 @@
 r"""How many slices does my model need? Cuts a closed mesh on x-, y- and z-planes, makes the surface of
 the cuts, and says how far it is from the mesh:
 
-    python3 CutMesh.py model.stl surface.vtp --slices 12 24 48
+    python3 CutMesh.py model.stl surface.stl --slices 12 24 48
 
     --slices N [N ...]  planes on each axis; with several numbers a line for each of them, and the
                         surface of the last one (default 16 32)

@@ -3,7 +3,7 @@
 r"""Geological bodies from interpreted sections: a fence of vertical sections through wells or along
 seismic lines, with maps at some depths or without:
 
-    python3 FenceSections.py sections.csv bodies.vtp --exaggerate 10
+    python3 FenceSections.py sections.csv bodies.stl --exaggerate 10
 
 The table has the columns x, y, z, section, and body if there are several; the outline of a body on a
 section is a closed contour. Sections along two directions, and maps, are three families; they need
@@ -55,7 +55,7 @@ def next_section(report, factor):
 def main(arguments):
     if not arguments or {"-h", "--help"}.intersection(arguments):
         sys.exit(__doc__)
-    parser = argparse.ArgumentParser(usage="FenceSections.py TABLE OUT.vtp [--exaggerate F]",
+    parser = argparse.ArgumentParser(usage="FenceSections.py TABLE OUT [--exaggerate F]",
                                      add_help=False)
     parser.add_argument("table")
     parser.add_argument("out")
