@@ -34,7 +34,8 @@ def main(source, build):
         # Debian's NumPy is seen, and pip must not look for another one.
         venv.create(environment, system_site_packages=True, with_pip=True)
         python = environment / "bin" / "python"
-        os.environ.update(PIP_NO_INDEX="1", PIP_DISABLE_PIP_VERSION_CHECK="1",
+        os.environ.update(PIP_NO_INDEX="1", PIP_NO_CACHE_DIR="1", PYTHONDONTWRITEBYTECODE="1",
+                          PIP_DISABLE_PIP_VERSION_CHECK="1",
                           ORTHOGONAL_SLICES_WHEEL_BUILD=build)
         run(python, "-m", "pip", "wheel", source, "--no-deps", "-w", scratch)
         wheel, = pathlib.Path(scratch).glob("*.whl")

@@ -226,13 +226,13 @@ def check_parallel_along_any_axis():
     ports = [simple.OutputPort(slicer, port) for port in range(3)]
     volumes = []
     for port in ports:
-        simple.SetActiveSource(port)
-        for parallel in (simple.ParallelSliceReconstruction(),
-                         simple.ParallelSliceReconstruction(port)):
-            check(parallel.Input is not None, "the active source is not taken")
-            check_closed(fetch(parallel), components=1)
-            check(field_value(fetch(parallel), "NumberOfContours") == 12, "other contours")
-            volumes.append(fetch(parallel, 7).GetColumnByName("Volume").GetValue(0))
+        simple.SetActiveSource(None if port is ports[2] else port)
+        parallel = simple.ParallelSliceReconstruction(*([port] if port is ports[2] else []))
+        check(parallel.Input is not None, "the active source is not taken")
+        surface = fetch(parallel)
+        check_closed(surface, components=1)
+        check(field_value(surface, "NumberOfContours") == 12, "other contours")
+        volumes.append(fetch(parallel, 7).GetColumnByName("Volume").GetValue(0))
     for turn in ([0.0, 50.0, 0.0], [35.0, 45.0, 0.0]):
         turned = simple.Transform(Input=simple.GroupDatasets(Input=[ports[2]]))
         turned.Transform.Rotate = turn
