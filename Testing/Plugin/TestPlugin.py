@@ -191,6 +191,25 @@ def check_one_input_for_all():
         check(has_frame == (source is turned), f"normals of the families: {has_frame}")
 
 
+def check_composite():
+    """A group of models is sliced block by block, and its slices make one surface."""
+    balls = [sphere(), simple.Transform(Input=sphere())]
+    balls[1].Transform.Translate = [5.0, 0.0, 0.0]
+    group = simple.GroupDatasets(Input=balls)
+    slicer = simple.OrthogonalSlicer(Input=group, NumberOfSlices=[8, 8, 8])
+    for port in range(3):
+        contours = servermanager.Fetch(simple.OutputPort(slicer, port))
+        check(contours.IsA("vtkCompositeDataSet"), f"port {port} is a {contours.GetClassName()}")
+        check(contours.GetNumberOfCells() == 16, f"{contours.GetNumberOfCells()} contours")
+    rec = reconstruct_sliced(slicer)
+    check_closed(fetch(rec), components=2)
+    blocks = fetch(rec, 3).GetColumnByName("Block")
+    check(blocks is not None and len({blocks.GetValue(row) for row in range(48)}) == 2,
+          "the table of contours does not tell blocks apart")
+    parallel = simple.ParallelSliceReconstruction(Input=simple.OutputPort(slicer, 1))
+    check_closed(fetch(parallel), components=2)
+
+
 def check_parallel():
     """One family of slices, with the defaults and another criterion."""
     slicer = simple.OrthogonalSlicer(Input=sphere())
@@ -317,6 +336,7 @@ def main(plugin, data):
     check_views()
     check_inputs_left_out()
     check_one_input_for_all()
+    check_composite()
     check_parallel()
     check_parallel_along_any_axis()
     check_properties_of_parallel()

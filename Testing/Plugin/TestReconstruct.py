@@ -238,6 +238,18 @@ class Properties(unittest.TestCase):
             found = getattr(default, "Get" + name)()
             self.assertEqual(list(found) if isinstance(found, tuple) else found, value, keyword)
 
+    def test_values_of_numpy(self):
+        filter_ = vtkOrthogonalSliceReconstruction()
+        for keyword, value, found in (("edge_length", numpy.float32(0.5), 0.5),
+                                      ("expected_components", numpy.int64(3), 3),
+                                      ("compute_normals", numpy.bool_(False), False),
+                                      ("patch_type", numpy.int32(2), 2),
+                                      ("axis_weights", numpy.array([1, 2, 3]), (1.0, 2.0, 3.0)),
+                                      ("frame_normals", numpy.eye(3), tuple(numpy.eye(3).flat))):
+            reconstruction.set_property(filter_, keyword, value)
+            name = reconstruction.property_name(keyword)
+            self.assertEqual(getattr(filter_, "Get" + name)(), found)
+
     def test_texts_of_enumerations_are_those_of_the_panel(self):
         root = xml.etree.ElementTree.parse(PROXIES).getroot()
         proxy, = root.findall(".//SourceProxy[@name='OrthogonalSliceReconstruction']")

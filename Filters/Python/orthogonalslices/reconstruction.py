@@ -208,6 +208,8 @@ def set_property(reconstruction: vtkOrthogonalSliceReconstruction, keyword: str,
     """Sets a property; raises ValueError where the filter would take another value instead."""
     name = property_name(keyword)
     setter = getattr(reconstruction, "Set" + name)
+    if isinstance(value, numpy.generic):
+        value = value.item()
     if keyword in ENUMERATIONS:
         value = enumeration_value(keyword, value)
     elif not isinstance(value, (str, bool, int, float)):
