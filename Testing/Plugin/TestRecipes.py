@@ -156,7 +156,7 @@ class Commands(RecipeTest):
         files.write_nii("labels.nii", samples, numpy.eye(3), numpy.zeros(3), "sform")
         with open("labels.nii", "rb") as plain, gzip.open("labels.nii.gz", "wb") as packed:
             packed.write(plain.read())
-        self.write("labels.txt", "# IDX -R- -G- -B- -A-- VIS MSH LABEL\n"
+        self.write("organs.label", "# IDX -R- -G- -B- -A-- VIS MSH LABEL\n"
                    '    0     0    0    0        0  0  0    "Clear Label"\n'
                    '    3   200   30    7        1  1  1    "Left kidney"\n')
         files.write_nrrd("scan.seg.nrrd", samples, numpy.eye(3), numpy.zeros(3), keys=(
