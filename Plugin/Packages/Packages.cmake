@@ -81,27 +81,49 @@ else ()
   set(_vtk_development "libvtk9-dev")
   set(_vtk_python "python3-vtk9")
 endif ()
-set(_version "${PROJECT_VERSION}+${_flavour}")
+set(_version "${PROJECT_VERSION}-1+${_flavour}")
 
-# Of each package the licence and the changes, where Debian has them.
-file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/Packages")
-execute_process(
-  COMMAND     "${ORTHOGONAL_SLICES_GZIP}" -9nc "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
-  OUTPUT_FILE "${CMAKE_BINARY_DIR}/Packages/changelog.gz"
-  COMMAND_ERROR_IS_FATAL ANY)
+# Of each package licences and changes, where Debian has them. Who makes packages for others says who
+# they are as Debian's tools want it, by DEBFULLNAME and DEBEMAIL.
+set(_maintainer "the Orthogonal Slices contributors <orthogonalslices@localhost>")
+if (NOT "$ENV{DEBEMAIL}" STREQUAL "")
+  set(_maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+endif ()
+string(TIMESTAMP _date "%a, %d %b %Y %H:%M:%S +0000" UTC) # that of SOURCE_DATE_EPOCH, if there is one
+file(READ LICENSE _licence)
+string(FIND "${_licence}" "Redistribution" _start)
+string(SUBSTRING "${_licence}" ${_start} -1 _licence)
+string(STRIP "${_licence}" _licence)
+string(REGEX REPLACE "\n\n" "\n.\n" _licence "${_licence}")
+string(REPLACE "\n" "\n " _licence "${_licence}")
+set(_packages "${CMAKE_BINARY_DIR}/Packages")
+configure_file("${CMAKE_CURRENT_LIST_DIR}/copyright.in" "${_packages}/copyright" @ONLY)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/changelog.in" "${_packages}/changelog.Debian" @ONLY)
+configure_file("${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${_packages}/changelog" COPYONLY)
+foreach (_file IN ITEMS changelog changelog.Debian)
+  execute_process(
+    COMMAND     "${ORTHOGONAL_SLICES_GZIP}" -9nc "${_packages}/${_file}"
+    OUTPUT_FILE "${_packages}/${_file}.gz"
+    COMMAND_ERROR_IS_FATAL ANY)
+endforeach ()
 foreach (_component IN LISTS _components)
-  set(_folder "${CMAKE_INSTALL_DATAROOTDIR}/doc/${_${_component}_package}")
-  install(FILES LICENSE
-    DESTINATION "${_folder}" RENAME copyright COMPONENT "${_component}" EXCLUDE_FROM_ALL)
-  install(FILES "${CMAKE_BINARY_DIR}/Packages/changelog.gz"
-    DESTINATION "${_folder}" COMPONENT "${_component}" EXCLUDE_FROM_ALL)
+  install(
+    FILES
+      "${_packages}/copyright"
+      "${_packages}/changelog.gz"
+      "${_packages}/changelog.Debian.gz"
+    DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/${_${_component}_package}"
+    COMPONENT   "${_component}"
+    EXCLUDE_FROM_ALL)
 endforeach ()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME orthogonalslices)
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
+# CPack's default: any other summary would come before that of each package.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${CMAKE_PROJECT_NAME} built using CMake")
 set(CPACK_PACKAGE_VENDOR "the Orthogonal Slices contributors")
-set(CPACK_PACKAGE_CONTACT "the Orthogonal Slices contributors <orthogonalslices@localhost>")
+set(CPACK_PACKAGE_CONTACT "${_maintainer}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL ${_components})
@@ -117,13 +139,12 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTOR
 function (orthogonal_slices_package component section summary text)
   string(TOUPPER "${component}" _upper)
   list(JOIN ARGN ", " _depends)
-  string(REGEX REPLACE "\n *" "\n " _text "${summary}\n${text}")
   foreach (_pair IN ITEMS
       "PACKAGE_NAME=${_${component}_package}"
       "PACKAGE_SECTION=${section}"
       "PACKAGE_DEPENDS=${_depends}"
       "PACKAGE_SHLIBDEPS=ON"
-      "DESCRIPTION=${_text}")
+      "DESCRIPTION=${summary}\n${text}")
     string(REGEX MATCH "^[A-Z_]+" _name "${_pair}")
     string(REGEX REPLACE "^[A-Z_]+=" "" _value "${_pair}")
     set("CPACK_DEBIAN_${_upper}_${_name}" "${_value}" PARENT_SCOPE)
@@ -151,8 +172,14 @@ orthogonal_slices_package(plugin science
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 
 #--------------------------------------------------------------------------------------------------
-# Scripts of the packages. ParaView reads paraview.conf beside its program: in each line a list of
-# plugins, relative to that folder. Debian's has none; another plugin may have written one.
+# Scripts of the packages. The linker learns of the library. ParaView reads paraview.conf beside its
+# program: in each line a list of plugins, relative to that folder. Debian's has none; another plugin
+# may have written one.
+file(WRITE "${_packages}/triggers" "activate-noawait ldconfig\n")
+# Programs that were linked with the library need this package, or a later one.
+file(WRITE "${_packages}/shlibs" "libvtkFiltersOrthogonalSlices ${ORTHOGONAL_SLICES_SOVERSION} "
+  "${_runtime_package} (>= ${_version})\n")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${_packages}/triggers" "${_packages}/shlibs")
 if (ORTHOGONAL_SLICES_BUILD_PLUGIN)
   file(RELATIVE_PATH _line "/prefix/${CMAKE_INSTALL_BINDIR}"
     "/prefix/${CMAKE_INSTALL_LIBDIR}/${_plugin_subdirectory}/OrthogonalSlices.plugins.xml")
@@ -161,7 +188,7 @@ foreach (_component IN ITEMS python plugin)
   string(TOUPPER "${_component}" _upper)
   foreach (_script IN ITEMS postinst prerm)
     if (_component IN_LIST _components)
-      set(_file "${CMAKE_BINARY_DIR}/Packages/${_component}/${_script}")
+      set(_file "${_packages}/${_component}/${_script}")
       configure_file("${CMAKE_CURRENT_LIST_DIR}/${_component}/${_script}.in" "${_file}" @ONLY
         FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
           GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)

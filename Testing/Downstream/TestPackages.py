@@ -66,7 +66,7 @@ def make_packages(build, folder):
         files[component] = found[0]
         package = output_of("dpkg-deb", "-f", found[0], "Package").strip()
         names = output_of("dpkg-deb", "-c", found[0])
-        for text in ("copyright", "changelog.gz"):
+        for text in ("copyright", "changelog.gz", "changelog.Debian.gz"):
             assert f"./usr/share/doc/{package}/{text}\n" in names, f"no {text} in {package}"
     depends = {component: output_of("dpkg-deb", "-f", deb, "Depends")
                for component, deb in files.items()}
@@ -75,6 +75,8 @@ def make_packages(build, folder):
         assert re.search(PACKAGES["runtime"] + r" \(= ", depends[component]), depends
     assert re.search(r"libvtkFiltersOrthogonalSlices\.so\.[\d.]+ ->",
                      output_of("dpkg-deb", "-c", files["runtime"])), "the library has no version"
+    control = output_of("dpkg-deb", "-I", files["runtime"], "shlibs", "triggers")
+    assert "libvtkFiltersOrthogonalSlices" in control and "activate-noawait ldconfig" in control
     examples = output_of("dpkg-deb", "-c", files["python"])
     assert "Examples/ReconstructAny.py" in examples and "heart/n32_x.vtp" in examples, examples
     return files
