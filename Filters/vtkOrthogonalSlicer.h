@@ -16,6 +16,8 @@
  *    identical coordinates count as one where the surface would be open otherwise (as at the
  *    creases of vtkCubeSource). A surface that encloses a negative volume is taken for one that is
  *    oriented inwards, and reversed as a whole.
+ *  - vtkUnstructuredGrid, vtkStructuredGrid: a mesh of solid cells. The faces that only one cell has
+ *    are its surface, for which the same holds.
  *  - vtkImageData: scalars on points, chosen with SetInputArrayToProcess() (default: the active
  *    point scalars; of several components the first). It may have any direction matrix that is
  *    not singular: see below. A scalar that is not a number is outside. Blanking is ignored.

@@ -191,6 +191,14 @@ def check_one_input_for_all():
         check(has_frame == (source is turned), f"normals of the families: {has_frame}")
 
 
+def check_solid_cells():
+    """A mesh of solid cells is sliced as its surface is."""
+    box = simple.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
+    volume = simple.Tetrahedralize(Input=box)
+    slicer = simple.OrthogonalSlicer(Input=volume, NumberOfSlices=[8, 8, 8])
+    check_closed(fetch(reconstruct_sliced(slicer)), components=1)
+
+
 def check_composite():
     """A group of models is sliced block by block, and its slices make one surface."""
     balls = [sphere(), simple.Transform(Input=sphere())]
@@ -337,6 +345,7 @@ def main(plugin, data):
     check_inputs_left_out()
     check_one_input_for_all()
     check_composite()
+    check_solid_cells()
     check_parallel()
     check_parallel_along_any_axis()
     check_properties_of_parallel()
