@@ -74,8 +74,9 @@ with_plain_vtk()
 
 test_all()
 {
-  # clang with its runtime libraries, among them libFuzzer.
-  install_dependencies clang libclang-rt-14-dev
+  # clang with its runtime libraries, among them libFuzzer; what packages for Debian and for Python are
+  # made with, and the reference.
+  install_dependencies clang libclang-rt-14-dev dpkg-dev file python3-venv doxygen
   configure_folder build/core -DORTHOGONAL_SLICES_CORE_ONLY=ON
   # What needs one processor goes beside the compilation of the core.
   prepare_others > build/prepare.log 2>&1 &
