@@ -27,7 +27,8 @@ import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # What is needed to build the package.
-SOURCES = ("CMakeLists.txt", "Filters", "LICENSE", "README.md", "pyproject.toml", "vtk.module")
+SOURCES = ("CHANGELOG.md", "CITATION.cff", "CMakeLists.txt", "Filters", "LICENSE", "Plugin/Examples",
+           "Plugin/Packages", "README.md", "pyproject.toml", "vtk.module")
 
 
 def project():

@@ -20,9 +20,12 @@ install(DIRECTORY Plugin/Examples
   DESTINATION "${_documentation}" COMPONENT python
   PATTERN "__pycache__" EXCLUDE
   PATTERN "make-pictures.sh" EXCLUDE)
-file(GLOB _contours "${PROJECT_SOURCE_DIR}/Data/heart/n32_*.vtp")
-install(FILES ${_contours} Data/licences/SimVascular.txt
-  DESTINATION "${_documentation}/Examples/heart" COMPONENT python)
+# A source archive for Python comes without data.
+if (EXISTS "${PROJECT_SOURCE_DIR}/Data/heart")
+  file(GLOB _contours "${PROJECT_SOURCE_DIR}/Data/heart/n32_*.vtp")
+  install(FILES ${_contours} Data/licences/SimVascular.txt
+    DESTINATION "${_documentation}/Examples/heart" COMPONENT python)
+endif ()
 
 #--------------------------------------------------------------------------------------------------
 # ninja uninstall: what the last installation has written, and folders that are empty then.

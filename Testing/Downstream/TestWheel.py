@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""python3 TestWheel.py <source> <build>: pip builds the source tree and installs it into a virtual
-environment, with no network; build options come by CMAKE_ARGS, VTK by PYTHONPATH."""
+"""python3 TestWheel.py <source> <build>: pip builds an archive of the source tree and installs it into
+a virtual environment, with no network; build options come by CMAKE_ARGS, VTK by PYTHONPATH."""
 
 import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -29,6 +30,7 @@ def run(*command, **options):
 
 
 def main(source, build):
+    shutil.rmtree(build, ignore_errors=True)  # of an archive unpacked elsewhere
     with tempfile.TemporaryDirectory() as scratch:
         environment = pathlib.Path(scratch, "environment")
         # Debian's NumPy is seen, and pip must not look for another one.
@@ -37,7 +39,11 @@ def main(source, build):
         os.environ.update(PIP_NO_INDEX="1", PIP_NO_CACHE_DIR="1", PYTHONDONTWRITEBYTECODE="1",
                           PIP_DISABLE_PIP_VERSION_CHECK="1",
                           ORTHOGONAL_SLICES_WHEEL_BUILD=build)
-        run(python, "-m", "pip", "wheel", source, "--no-deps", "-w", scratch)
+        # By way of a source archive, so that it is known to be complete.
+        sys.path.insert(0, os.path.join(source, "Filters", "Python"))
+        import wheel_backend
+        archive = pathlib.Path(scratch, wheel_backend.build_sdist(scratch))
+        run(python, "-m", "pip", "wheel", archive, "--no-deps", "-w", scratch)
         wheel, = pathlib.Path(scratch).glob("*.whl")
         names = zipfile.ZipFile(wheel).namelist()
         libraries = [name for name in names if ".so" in name]
