@@ -89,6 +89,11 @@ void vtkOrthogonalSliceReconstruction::SetFamilyConnection(int family, vtkAlgori
   this->SetInputConnection(family - 1, output);
 }
 
+void vtkOrthogonalSliceReconstruction::SetContoursConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(InputPorts - 1, output);
+}
+
 vtkPolyData* vtkOrthogonalSliceReconstruction::GetGraphOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));

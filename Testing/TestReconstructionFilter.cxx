@@ -382,6 +382,10 @@ TEST(ReconstructionFilter, ConnectsFamiliesByNumber)
     run.Filter->SetFamilyConnection(family, nullptr);
     EXPECT_EQ(run.Filter->GetTotalNumberOfInputConnections(), 0);
   }
+  run.Filter->SetContoursConnection(producer->GetOutputPort());
+  EXPECT_EQ(run.Filter->GetInputConnection(3, 0), producer->GetOutputPort());
+  run.Filter->SetContoursConnection(nullptr);
+  EXPECT_EQ(run.Filter->GetTotalNumberOfInputConnections(), 0);
   EXPECT_TRUE(run.Errors.empty());
   for (const int family : { -1, 0, 5 })
   {
