@@ -74,6 +74,7 @@ std::vector<WorldLoop> ListLoops(const Contours& drawn, const Pass& pass)
   {
     AppendGuides(*pass.Settings.Guides, pass.Settings.Metric, loops);
   }
+  SortLoops(loops);
   return loops;
 }
 
@@ -102,7 +103,8 @@ double ComparePredictions(
     {
       point = metric.ToWorld(point);
     }
-    const std::vector<WorldLoop> left = MapToWorld(SelectSlice(drawn, slice, true), metric);
+    std::vector<WorldLoop> left = MapToWorld(SelectSlice(drawn, slice, true), metric);
+    SortLoops(left);
     for (const ContourSample& sample : SampleLoops(left, 2.0 * step))
     {
       byPatches += DistanceFrom(surface, sample.Position);

@@ -3,6 +3,7 @@
 #include "Core/SparseSurface.h"
 
 #include "Core/Base/EditContours.h"
+#include "Core/FieldTopology.h"
 #include "Core/MakeSurface.h"
 #include "Core/PredictSlices.h"
 #include "Core/RealSlices.h"
@@ -280,16 +281,10 @@ bool SparseRunner::FollowField()
     return false;
   }
   const Contours added = CutField(field, first.Result.Grid, this->Sparse.Field, first.Execute);
-  const PriorKnowledge known{ first.Result.Topology.Components, -1 };
-  const Index genus = first.Result.Topology.Genus;
-  const bool doAgree = DoSlicesAgree(first.Result);
-  const auto isRight = [&](const SurfaceTopology& found)
-  {
-    return found.Components <= known.Components &&
-      (found.Genus <= genus || (doAgree && patchesByField >= asGood));
-  };
+  const bool mayAdd = patchesByField >= asGood && DoSlicesAgree(first.Result);
+  const FieldTopology right(first, mayAdd);
   return this->First.GoOn(1.0) &&
-    this->RunAgain({ added, known, isRight, Everywhere(), ListGuiding(first.Settings) });
+    this->RunAgain({ added, right.Known(), right, Everywhere(), ListGuiding(first.Settings) });
 }
 
 bool SparseRunner::Run()

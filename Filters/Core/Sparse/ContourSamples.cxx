@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace orthoslices
 {
@@ -96,6 +97,18 @@ void AppendGuides(
       }
     }
   }
+}
+
+void SortLoops(std::vector<WorldLoop>& loops)
+{
+  for (WorldLoop& loop : loops)
+  {
+    std::vector<Point3>& points = loop.Points;
+    std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
+  }
+  std::sort(loops.begin(), loops.end(),
+    [](const WorldLoop& a, const WorldLoop& b)
+    { return std::tie(a.Normal, a.Points) < std::tie(b.Normal, b.Points); });
 }
 
 double SampleStep(const std::vector<WorldLoop>& loops, double wanted)

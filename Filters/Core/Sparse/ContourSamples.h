@@ -31,6 +31,12 @@ std::vector<WorldLoop> MapToWorld(const Contours& contours, const AxisFrame& met
 void AppendGuides(
   const std::vector<GuideContours>& guides, const AxisFrame& metric, std::vector<WorldLoop>& loops);
 
+/**
+ * Contours in an order, and each from a first point, that depend on where they are alone: so the same
+ * ones give the same field, to the last bit, whatever the order they were read in.
+ */
+void SortLoops(std::vector<WorldLoop>& loops);
+
 /// A distance of samples of about `wanted`, but one with which they are many enough for the shape, and
 /// few enough for a system of equations that is dense.
 double SampleStep(const std::vector<WorldLoop>& loops, double wanted);
