@@ -253,10 +253,16 @@ bool SparseRunner::SketchWithoutField(Pass& pass) const
   return SparseRunner(sparse, pass).Run();
 }
 
+Index MostSlices(const SpatialGrid& grid)
+{
+  return std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
+}
+
 /// Makes the surface anew, with virtual slices of a field through all contours. That decides what the
-/// contours leave open, but not against them: what the first surface joins stays joined, and tunnels come
-/// in only where slices agree, and if the field foretells them as well. False if what there is without
-/// a field foretells slices better, or leaves components out.
+/// contours leave open, but not against them: what the first surface joins stays joined, and tunnels
+/// come in only where slices agree, if the field foretells them as well, and if one of those that were
+/// left out lay between others. False if what there is without a field foretells slices better, or
+/// leaves components out.
 bool SparseRunner::FollowField()
 {
   constexpr double asGood = 0.95;
@@ -281,7 +287,8 @@ bool SparseRunner::FollowField()
     return false;
   }
   const Contours added = CutField(field, first.Result.Grid, this->Sparse.Field, first.Execute);
-  const bool mayAdd = patchesByField >= asGood && DoSlicesAgree(first.Result);
+  const bool mayAdd =
+    patchesByField >= asGood && DoSlicesAgree(first.Result) && MostSlices(first.Result.Grid) > 2;
   const FieldTopology right(first, mayAdd);
   return this->First.GoOn(1.0) &&
     this->RunAgain({ added, right.Known(), right, Everywhere(), ListGuiding(first.Settings) });
