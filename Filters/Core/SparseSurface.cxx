@@ -275,9 +275,11 @@ bool SparseRunner::FollowField()
   }
   const std::vector<WorldLoop> loops = ListLoops(this->Drawn, first);
   const double step = SampleStep(loops, this->Sparse.EdgeLength());
+  this->First.SetShare(0.5, 0.6);
   const double patchesByField = ComparePredictions(
     this->Drawn, first, step, [this](Pass& pass) { return this->SketchWithoutField(pass); });
-  if (patchesByField < enough || !this->First.GoOn(0.5))
+  this->First.SetShare(0.6, 0.66);
+  if (patchesByField < enough || !this->First.GoOn(0.0))
   {
     return false;
   }
