@@ -277,7 +277,7 @@ bool SparseRunner::FollowField()
   const double step = SampleStep(loops, this->Sparse.EdgeLength());
   this->First.SetShare(0.5, 0.6);
   const double patchesByField = ComparePredictions(
-    this->Drawn, first, step, [this](Pass& pass) { return this->SketchWithoutField(pass); });
+    this->Drawn, this->First, step, [this](Pass& pass) { return this->SketchWithoutField(pass); });
   this->First.SetShare(0.6, 0.66);
   if (patchesByField < enough || !this->First.GoOn(0.0))
   {

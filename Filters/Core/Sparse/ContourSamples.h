@@ -32,8 +32,9 @@ void AppendGuides(
   const std::vector<GuideContours>& guides, const AxisFrame& metric, std::vector<WorldLoop>& loops);
 
 /**
- * Contours in an order, and each from a first point, that depend on where they are alone: so the same
- * ones give the same field, to the last bit, whatever the order they were read in.
+ * Contours by their length, the longest first, and each from its point that is farthest from the middle
+ * of all. So the same ones give the same field, to the last bit, whatever the order they were read in;
+ * and, but for rounding, whichever axis is the first one, and mirrored, unless several are farthest.
  */
 void SortLoops(std::vector<WorldLoop>& loops);
 
