@@ -559,10 +559,10 @@ public:
    * With several families of fewer than a dozen slices each, or a stack of 8 to 16 with a few across:
    * whether virtual slices are those of a smooth function that is zero on all contours (radial basis
    * functions with derivatives), if it foretells slices that are left out about as well as what there is
-   * without it. Of round things with few slices that is mostly much closer; but it depends on rounding,
-   * so that the same contours in another order or along other axes give a surface that differs a
-   * little, and it may join what the slices leave open. Takes seconds. Nothing with VirtualSlices off.
-   * Default: off.
+   * without it. Of round things with few slices that is mostly much closer. It may join what the slices
+   * leave open, but what ExpectedComponents and ExpectedGenus have decided stays so; it depends on
+   * rounding, so that the same contours along other axes give a surface that differs a little. Takes a
+   * second or two. Nothing with VirtualSlices off. Default: on.
    */
   vtkSetMacro(FollowField, bool);
   vtkGetMacro(FollowField, bool);
@@ -893,7 +893,7 @@ private:
   bool InsertMissingContours = true;
   int VirtualSlices = AUTOMATIC_VIRTUAL_SLICES;
   double VirtualSliceSpacing = 0.0;
-  bool FollowField = false;
+  bool FollowField = true;
   int EndCaps = DOME_ENDS;
   bool ComputeNormals = true;
   bool ComputeCurvatures = false;

@@ -50,7 +50,7 @@ def check_defaults():
         "FrameNormals": [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
         "VirtualSlices": "Automatic",
         "VirtualSliceSpacing": 0.0,
-        "FollowField": 0,
+        "FollowField": 1,
         "EndCaps": "Dome",
         "PlaneTolerance": 1e-5,
         "PatchType": "Smooth",
