@@ -67,7 +67,10 @@ void LabelRunner::ShareVirtual(const std::vector<LabelPass*>& passes, bool withU
     }
     allowed.insert(members);
   }
-  const SharedBorders shared = ShareBorders(this->Thickness(), allowed, this->Execute, contours);
+  // Once slices agree, nothing is moved any more where borders are close: that would move vertices off the
+  // places where real slices have them, and slices would be made to agree by other ways for each label.
+  const double thickness = withUnion ? this->Thickness() : 0.0;
+  const SharedBorders shared = ShareBorders(thickness, allowed, this->Execute, contours);
   const std::set<Point3> junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
   this->Junctions.insert(junctions.begin(), junctions.end());
 }
