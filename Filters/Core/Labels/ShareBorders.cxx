@@ -53,6 +53,7 @@ private:
   void Reassign(const PlaneFaces& faces);
   Index BestNeighbour(Index face, const std::vector<std::uint8_t>& isOpen) const;
   void Report();
+  void CountVanished(const LoopWindings& windings);
   void FindJunctions(const PlaneWalks& walks, const PlaneFaces& faces);
   bool HasChanged(Index structure, const PlaneWalks& walks) const;
   std::vector<std::uint8_t> InsideOf(Index structure) const;
@@ -252,6 +253,32 @@ void SliceSharer::Report()
   }
 }
 
+/// Counts contours that have run around something which is their structure's no more, all of it.
+void SliceSharer::CountVanished(const LoopWindings& windings)
+{
+  std::vector<std::uint8_t> isLeft(this->Members.size(), 0);
+  for (std::size_t face = 0; face < this->Sets.size(); ++face)
+  {
+    for (const LoopWindings::Layer& layer : windings.LayersOf(static_cast<Index>(face)))
+    {
+      const Index member = windings.WalkOf(layer.Part);
+      const std::vector<Index>& set = this->Sets[face];
+      isLeft[member] |= layer.Winding > 0 &&
+          std::binary_search(set.begin(), set.end(), this->Members[member].Structure)
+        ? 1
+        : 0;
+    }
+  }
+  this->Result.Found.Vanished.assign(this->Structures.size(), 0);
+  for (std::size_t i = 0; i < this->Members.size(); ++i)
+  {
+    const Member& member = this->Members[i];
+    const bool isOutline =
+      TwiceSignedArea(*this->Structures[member.Structure], member.Contour) > 0.0;
+    this->Result.Found.Vanished[member.Structure] += isOutline && isLeft[i] == 0 ? 1 : 0;
+  }
+}
+
 /// The nodes at which more than two sides meet.
 void SliceSharer::FindJunctions(const PlaneWalks& walks, const PlaneFaces& faces)
 {
@@ -356,6 +383,7 @@ SharedSlice SliceSharer::Run()
   this->MeasureFaces(walks, faces, windings);
   this->Reassign(faces);
   this->Report();
+  this->CountVanished(windings);
   this->FindJunctions(walks, faces);
   this->Result.Found.Union = this->Trace(walks, faces, -1);
   for (Index structure = 0; structure < static_cast<Index>(this->Structures.size()); ++structure)
@@ -412,6 +440,10 @@ void AddTo(const SharedBorders& slice, SharedBorders& all)
   {
     all.Areas.OfStructure[i] += slice.Areas.OfStructure[i];
   }
+  for (std::size_t i = 0; i < slice.Vanished.size(); ++i)
+  {
+    all.Vanished[i] += slice.Vanished[i];
+  }
   for (const auto& [pair, area] : slice.Areas.OfPair)
   {
     all.Areas.OfPair[pair] += area;
@@ -434,6 +466,7 @@ SharedBorders ShareBorders(double thickness, const StructureSets& allowed,
     });
   SharedBorders all;
   all.Areas.OfStructure.assign(structures.size(), 0.0);
+  all.Vanished.assign(structures.size(), 0);
   std::vector<std::vector<std::uint8_t>> isReplaced;
   for (const Contours* contours : structures)
   {

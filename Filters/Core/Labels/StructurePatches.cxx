@@ -250,6 +250,21 @@ std::vector<Index> StructurePatches::PartingPoints(Index number) const
   return points;
 }
 
+bool StructurePatches::HasBorderOfAnother(Index number) const
+{
+  const CellPatch& patch = this->Patches[number];
+  for (std::size_t i = 0; i + 1 < patch.Offsets.size(); ++i)
+  {
+    const auto found = this->ByBorder.find(Canonical(
+      { patch.Border.begin() + patch.Offsets[i], patch.Border.begin() + patch.Offsets[i + 1] }));
+    if (found != this->ByBorder.end() && found->second != number)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 Point3 StructurePatches::MoveInside(const PatchGroup& group, const Point3& point) const
 {
   return this->MoveInside(group, point, CommonPointMargin);

@@ -62,6 +62,9 @@ public:
   /// if it has already.
   bool Break(const CellPatch& patch) { return this->Broken.insert(patch.Mesh).second; }
 
+  /// Whether one of the cycles of a patch is all of the border of another patch.
+  bool HasBorderOfAnother(Index patch) const;
+
   Index Count() const { return static_cast<Index>(this->Patches.size()); }
   const CellPatch& operator[](Index patch) const { return this->Patches[patch]; }
   Index NumberOf(const Point3& place) override;
