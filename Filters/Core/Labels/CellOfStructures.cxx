@@ -76,7 +76,9 @@ void CellSettler::FormGroups()
     const PatchGroup group = this->MembersOf(i);
     if (group.size() > 1)
     {
-      this->Forms[i] = this->Make.BecomeSheets(group) ? GroupForm::Sheets : this->MakeSafe(group);
+      this->Forms[i] = this->Make.BecomeSheets(group) || this->Make.BecomeStar(group)
+        ? GroupForm::Sheets
+        : this->MakeSafe(group);
     }
     else if (this->Cell[i].IsAmbiguous)
     {

@@ -4,6 +4,7 @@
 
 #include "Core/Base/Vectors.h"
 #include "Core/Labels/JunctionCurves.h"
+#include "Core/Labels/JunctionStar.h"
 
 #include <algorithm>
 #include <iterator>
@@ -107,6 +108,31 @@ bool PatchForms::BecomeSheets(const PatchGroup& group)
     if (2 * own.size() != parting.size() ||
       !builder.Build(this->Cell.BorderOfSheets(group[i]), own, made[i]) ||
       !IsBordered(made[i], patch.Border.size()))
+    {
+      return false;
+    }
+  }
+  for (std::size_t i = 0; i < group.size(); ++i)
+  {
+    this->Cell.Take(group[i], std::move(made[i]));
+  }
+  return true;
+}
+
+bool PatchForms::BecomeStar(const PatchGroup& group)
+{
+  JunctionStar star;
+  if (!this->CanBeCommon(group) || !FindJunctionStar(group, this->Cell, star))
+  {
+    return false;
+  }
+  SheetBuilder builder(this->Cell.GridOf(group), { this->Cell.EdgeLength(group), 0.0 },
+    this->Cell.RoomOf(group), this->Cell);
+  std::vector<InnerPatch> made(group.size());
+  for (std::size_t i = 0; i < group.size(); ++i)
+  {
+    if (!builder.Build(this->Cell.BorderOfSheets(group[i]), star, made[i]) ||
+      !IsBordered(made[i], this->Cell[group[i]].Border.size()))
     {
       return false;
     }

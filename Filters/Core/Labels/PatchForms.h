@@ -27,6 +27,8 @@ public:
   bool BecomeFan(Index patch);
   /// Sheets between the curves in which structures meet: see SheetBuilder.
   bool BecomeSheets(const PatchGroup& group);
+  /// The same where more than two points are ends of such curves: they meet in one point.
+  bool BecomeStar(const PatchGroup& group);
   /// Fans around one point. Not if a structure has two of the patches: its surface would touch itself.
   bool BecomeCommon(const PatchGroup& group);
   /**
