@@ -103,7 +103,8 @@ struct Borders
 };
 
 /// An image, cut into so many slices on each axis, 0 for none, and reconstructed.
-Borders Reconstruct(const LabelImage& image, const std::array<int, 3>& slices)
+Borders Reconstruct(const LabelImage& image, const std::array<int, 3>& slices,
+  std::vector<std::string>* warnings = nullptr)
 {
   vtkNew<vtkOrthogonalSlicer> slicer;
   slicer->SetInputData(ToVtk(image));
@@ -120,7 +121,21 @@ Borders Reconstruct(const LabelImage& image, const std::array<int, 3>& slices)
   run.Filter->SetLabelArray("Label");
   vtkPolyData* surface = run.Update();
   EXPECT_TRUE(run.Errors.empty());
+  if (warnings != nullptr)
+  {
+    *warnings = run.Warnings;
+  }
   return Borders(surface);
+}
+
+/// 1 for all labels of an image.
+LabelImage WholeOf(LabelImage image)
+{
+  for (std::uint8_t& label : image.Labels)
+  {
+    label = label > 0 ? 1 : 0;
+  }
+  return image;
 }
 }
 
@@ -161,6 +176,29 @@ TEST(LabelBorders, DoNotCrossInOtherSparseSlices)
     EXPECT_LT(borders.Overlap, 1e-4);
     EXPECT_LT(borders.Gap, 0.002);
   }
+}
+
+/// All labels together fill what they would fill as one label: nothing is missing where three of them meet
+/// on the outside, and nothing between a thin shell and the labels on both sides of it.
+TEST(LabelBorders, LeaveNothingOut)
+{
+  for (const LabelImage& image :
+    { MakeLabelImage(LabelKind::Ball, 8, 1), MakeLabelImage(LabelKind::Nested, 12, 2) })
+  {
+    const Borders whole = Reconstruct(WholeOf(image), { 16, 16, 16 });
+    const Borders borders = Reconstruct(image, { 16, 16, 16 });
+    EXPECT_NEAR(borders.Volume, whole.Volume, 0.0009 * whole.Volume);
+  }
+}
+
+/// Where a label falls into more parts because of its neighbours, a warning says so.
+TEST(LabelBorders, PartsThatAreSeparatedAreCounted)
+{
+  std::vector<std::string> warnings;
+  Reconstruct(MakeLabelImage(LabelKind::Nested, 12, 2), { 16, 16, 16 }, &warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("Label 10: Other labels are so close"), std::string::npos)
+    << warnings[0];
 }
 
 /// Images of other kinds: eight labels in a box, by wavy borders, in blocks, in thin layers; and stairs.

@@ -78,6 +78,7 @@ private:
   bool MakeSparse(const SliceDensity& density);
   bool FinishSparse(const std::vector<LabelPass*>& passes);
   LabelPass& AddUnion();
+  void MoveOffVertices(const SpatialGrid& grid, VirtualPlanes& planes) const;
   VirtualPlanes PlanesFor(const SpatialGrid& grid, const VirtualPlanes& common) const;
   void ShareVirtual(const std::vector<LabelPass*>& passes, bool withUnion);
   void SettleCells();
