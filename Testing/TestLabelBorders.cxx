@@ -201,26 +201,49 @@ TEST(LabelBorders, PartsThatAreSeparatedAreCounted)
     << warnings[0];
 }
 
-/// Images of other kinds: eight labels in a box, by wavy borders, in blocks, in thin layers; and stairs.
-TEST(LabelBorders, DoNotCrossWhateverTheImage)
+namespace
 {
-  const LabelImage images[] = { MakeLabelImage(LabelKind::Box, 8, 1),
-    MakeLabelImage(LabelKind::Wavy, 8, 1), MakeLabelImage(LabelKind::Corners, 8, 1),
-    MakeLabelImage(LabelKind::Nested, 8, 1), MakeLabelImage(LabelKind::Layers, 3, 1),
-    Coarsen(MakeLabelImage(LabelKind::Ball, 5, 3), 4) };
-  const std::array<int, 3> slices[] = { { 0, 0, 16 }, { 16, 0, 16 }, { 4, 4, 4 }, { 16, 16, 16 } };
-  for (const LabelImage& image : images)
+/// Images of other kinds: eight labels in a box, by wavy borders, in blocks, in one another; thin layers; and
+/// stairs.
+LabelImage ImageOfKind(int kind)
+{
+  switch (kind)
   {
-    for (const std::array<int, 3>& counts : slices)
-    {
-      SCOPED_TRACE(std::to_string(&image - images) + ": " + std::to_string(counts[0]) + ", " +
-        std::to_string(counts[1]) + ", " + std::to_string(counts[2]));
-      const Borders borders = Reconstruct(image, counts);
-      EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
-      EXPECT_EQ(borders.Crossings, 0);
-    }
+    case 0:
+      return MakeLabelImage(LabelKind::Box, 8, 1);
+    case 1:
+      return MakeLabelImage(LabelKind::Wavy, 8, 1);
+    case 2:
+      return MakeLabelImage(LabelKind::Corners, 8, 1);
+    case 3:
+      return MakeLabelImage(LabelKind::Nested, 8, 1);
+    case 4:
+      return MakeLabelImage(LabelKind::Layers, 3, 1);
+    default:
+      return Coarsen(MakeLabelImage(LabelKind::Ball, 5, 3), 4);
   }
 }
+
+class LabelBordersOfKind : public ::testing::TestWithParam<int>
+{
+};
+}
+
+TEST_P(LabelBordersOfKind, DoNotCross)
+{
+  const LabelImage image = ImageOfKind(GetParam());
+  const std::array<int, 3> slices[] = { { 0, 0, 16 }, { 16, 0, 16 }, { 4, 4, 4 }, { 16, 16, 16 } };
+  for (const std::array<int, 3>& counts : slices)
+  {
+    SCOPED_TRACE(std::to_string(counts[0]) + ", " + std::to_string(counts[1]) + ", " +
+      std::to_string(counts[2]));
+    const Borders borders = Reconstruct(image, counts);
+    EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
+    EXPECT_EQ(borders.Crossings, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, LabelBordersOfKind, ::testing::Range(0, 6));
 
 namespace
 {
