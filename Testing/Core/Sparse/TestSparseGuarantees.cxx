@@ -285,7 +285,7 @@ TEST(SparseGuarantees, DenseSlicesGiveTheSameBytes)
 {
   for (std::uint64_t seed = 0; seed < 12; ++seed)
   {
-    const int n = 18 + static_cast<int>(seed);
+    const int n = 24 + static_cast<int>(seed);
     const Input input = MakeInput(RandomSolid(seed), { n, n, n + 1 }, InPlaneGrid::Free);
     const Reconstruction off = RunWith(input, VirtualSlices::Off);
     const Reconstruction automatic = RunSparse(input);
