@@ -695,6 +695,8 @@ public:
    * that a hundredth is a large value. Contours that meet no other family keep theirs. Default 0: all
    * are kept. Range 0 to 1.
    */
+  vtkSetClampMacro(Accuracy, double, 0.0, 1.0);
+  vtkGetMacro(Accuracy, double);
   vtkSetClampMacro(ContourTolerance, double, 0.0, 1.0);
   vtkGetMacro(ContourTolerance, double);
   ///@}
@@ -862,6 +864,7 @@ private:
   double CornerAngle = 60.0;
   double Smoothing = 0.0;
   double ContourTolerance = 0.0;
+  double Accuracy = 0.0;
   int CentralPoint = LEAST_SQUARES;
   double AxisWeights[3] = { 1.0, 1.0, 1.0 };
   double ReportTolerance = 1e-3;

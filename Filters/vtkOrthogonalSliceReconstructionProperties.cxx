@@ -198,6 +198,7 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   }
   options.Smoothing = this->Smoothing;
   options.ContourTolerance = this->ContourTolerance;
+  options.Patching.Accuracy = this->Accuracy;
   options.Several = SeveralCyclesModes[this->SeveralCycles].Value;
   options.Criterion = Correspondences[this->Correspondence].Value;
   options.Known.Components = this->ExpectedComponents;

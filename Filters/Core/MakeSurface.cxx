@@ -153,9 +153,23 @@ bool FillCycles(const PatchOptions& patching, Pass& pass)
       TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), pass.Execute);
   }
   pass.Finish(Stage::EstimateNormals);
-  result.Surface.Inner = BuildInnerPatches(
-    { geometry, result.Cells, result.Normals, result.Surface.CentralPoints, result.Surface.Meshes },
+  LightGraph light;
+  const bool isLight = patching.Accuracy > 0.0 && !result.Normals.Normals.empty();
+  if (isLight)
+  {
+    light = LightenArcs({ geometry, result.Cells, result.Surface.Meshes, result.Normals },
+      patching.Accuracy, pass.Execute);
+  }
+  result.Surface.Inner = BuildInnerPatches({ geometry, result.Cells, result.Normals,
+                                             result.Surface.CentralPoints, result.Surface.Meshes,
+                                             isLight ? &light : nullptr },
     patching, pass.Execute);
+  if (isLight)
+  {
+    result.Graph = std::move(light.Graph);
+    result.Nodes.Position.swap(light.Positions);
+    result.Normals = std::move(light.Normals);
+  }
   if (!GivesNormals(patching.Method))
   {
     result.Normals = {}; // those of the triangles say more

@@ -5,6 +5,7 @@
 
 #include "Core/Base/Execution.h"
 #include "Core/Cells/PatchMesh.h"
+#include "Core/Patches/LightenArcs.h"
 #include "Core/Patches/SmoothPatch.h"
 
 #include <vector>
@@ -55,6 +56,9 @@ struct PatchOptions
   double CornerAngle = 1.0471975511965976; ///< of contours: 60 degrees; see EstimateNormals
   double EdgeLength = 0.25;                ///< of triangles inside patches, in mean plane spacings
   double ChordTolerance = 0.0;             ///< in mean plane spacings; see PatchResolution
+  /// How far the surface may be from what it would be with all vertices of contours and many triangles,
+  /// as a share of the spacing of slices. 0: contours keep their vertices; see LightenArcs.
+  double Accuracy = 0.0;
   /// Patches of structures that were made before: taken over where borders are the same, and added to.
   SharedPatches* Shared = nullptr;
 };
@@ -90,6 +94,9 @@ struct PatchTables
   const SurfaceNormals& Normals;            ///< may be empty for types that do not need them
   const std::vector<double>& CentralPoints; ///< x, y, z of each cycle
   const std::vector<PatchMesh>& Meshes;     ///< the patches of shells and of several cycles
+  /// Where the triangles' vertices on contours are, if not at all points of G; or null. Patches are
+  /// fitted to the arcs of G, and triangulated with these.
+  const LightGraph* Light = nullptr;
 
   Point3 CentralPoint(Index cycle) const
   {

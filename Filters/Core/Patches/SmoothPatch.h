@@ -16,6 +16,8 @@ struct PatchResolution
   /// Greatest distance of a side's middle from the surface, in world units; 0 for any. Then sides
   /// are as short as that asks, EdgeLength at most.
   double ChordTolerance = 0.0;
+  /// See PatchOptions. If it is not 0, the length of sides is about that of the border's arcs.
+  double Accuracy = 0.0;
 };
 
 /**
@@ -35,7 +37,13 @@ public:
 
   /// False if the border cannot be seen as a whole or leaves no room for the precision, or if the
   /// surface runs away from the contours.
-  bool Build(const PatchBorder& border, InnerPatch& patch);
+  bool Build(const PatchBorder& border, InnerPatch& patch)
+  {
+    return this->Build(border, border, patch);
+  }
+  /// The same, with triangles whose corners on the border are those of another one, `outline`, which
+  /// may have fewer points.
+  bool Build(const PatchBorder& border, const PatchBorder& outline, InnerPatch& patch);
   /// How far the border of the last patch lies off a surface without creases, in world units.
   double Deviation() const { return this->View.Radius() * this->Surface.Deviation(); }
 
@@ -45,6 +53,8 @@ private:
   bool FindHeight(const Point2& p, double& z, Point3& gradient) const;
   bool SearchHeight(const Point2& p, double guess, double& z, Point3& gradient) const;
   bool RunsAway(const Point3& place) const;
+  bool Triangulate(const PatchBorder& border, const PatchBorder& outline);
+  void Balance(const PatchBorder& outline, InnerPatch& patch) const;
   bool PlacePoint(const PatchBorder& border, const Point2& p, InnerPatch& patch) const;
 
   const SpatialGrid& Grid;
