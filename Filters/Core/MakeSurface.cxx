@@ -7,6 +7,7 @@
 #include "Core/Crossings/NodeNormals.h"
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/SimplifyArcs.h"
+#include "Core/Improve/ImproveSurface.h"
 #include "Core/PatchAllCells.h"
 #include "Core/Patches/Domes.h"
 #include "Core/Slabs/StitchSlabs.h"
@@ -176,6 +177,11 @@ bool FillCycles(const PatchOptions& patching, Pass& pass)
   }
   pass.Finish(Stage::BuildInnerPatches);
   LayOutTriangles(result.Graph, result.Cycles, result.Surface);
+  if (isLight && result.Grid.Metric.IsWorld() && !getenv("NOIMP"))
+  {
+    ImproveSurface(geometry, result.Normals,
+      { (getenv("E5") ? atof(getenv("E5")) : 1.0) * patching.Accuracy * MinMeanSpacing(result.Grid), (getenv("E6") ? atof(getenv("E6")) : 25.0) }, pass.Execute, result.Surface);
+  }
   pass.Finish(Stage::LayOutTriangles);
   return pass.GoOn(0.8);
 }

@@ -75,9 +75,11 @@ std::size_t MaxPoints(std::size_t border)
 double SmoothPatchBuilder::SizeOfTriangles() const
 {
   static const double E1 = getenv("E1") ? atof(getenv("E1")) : 1.0;
-  if (this->Resolution.Accuracy > 0.0) { return E1; }
-  double size = this->Resolution.EdgeLength;
-  if (this->Resolution.ChordTolerance > 0.0)
+  static const double E4 = getenv("E4") ? atof(getenv("E4")) : 1.0;
+  const bool light = this->Resolution.Accuracy > 0.0;
+  const double tol = light ? E4 * this->Resolution.Accuracy * MinMeanSpacing(this->Grid) : this->Resolution.ChordTolerance;
+  double size = light ? E1 * this->View.Radius() : this->Resolution.EdgeLength;
+  if (tol > 0.0)
   {
     // How much the normals change over the patch is its curvature; a chord lies length^2 / 8 of it
     // off the surface.
@@ -92,7 +94,7 @@ double SmoothPatchBuilder::SizeOfTriangles() const
                               : change;
     }
     const double curvature = change / this->View.Radius();
-    const double length = std::sqrt(8.0 * this->Resolution.ChordTolerance / curvature);
+    const double length = std::sqrt(8.0 * tol / curvature);
     size = std::min(size, length);
   }
   return size / this->View.Radius();
