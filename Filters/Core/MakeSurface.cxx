@@ -180,7 +180,7 @@ bool FillCycles(const PatchOptions& patching, Pass& pass)
   if (isLight && result.Grid.Metric.IsWorld() && !getenv("NOIMP"))
   {
     ImproveSurface(geometry, result.Normals,
-      { (getenv("E5") ? atof(getenv("E5")) : 1.0) * patching.Accuracy * MinMeanSpacing(result.Grid), (getenv("E6") ? atof(getenv("E6")) : 25.0) }, pass.Execute, result.Surface);
+      { (getenv("E5") ? atof(getenv("E5")) : 1.0) * patching.Accuracy * MinMeanSpacing(result.Grid), (getenv("E6") ? atof(getenv("E6")) : 25.0), (getenv("E7") ? atof(getenv("E7")) : 5.0) }, pass.Execute, result.Surface);
   }
   pass.Finish(Stage::LayOutTriangles);
   return pass.GoOn(0.8);

@@ -11,9 +11,9 @@ namespace orthoslices
 {
 namespace
 {
-/// Triangles in the smallest boxes, and queries in a row. They change the time only.
-constexpr std::size_t InLeaf = 4;
-constexpr std::size_t BlockSize = 512;
+/// Triangles in the smallest boxes, and how many of these are asked for in a row. They change the time only.
+constexpr std::size_t InLeaf = 8;
+constexpr std::size_t BlockSize = 64;
 
 /// Spreads the lowest ten bits of a number, two zeros between each and the next.
 std::uint32_t Spread(std::uint32_t x)
@@ -32,9 +32,20 @@ class BoxTree
 public:
   BoxTree(const std::vector<Point3>& points, const std::vector<Triangle>& triangles);
 
-  /// Calls visit(triangle) for those whose box meets that of a triangle.
+  std::size_t CountLeaves() const { return this->Levels[0].size(); }
+  /// Calls visit(triangle) for the triangles of a leaf.
   template <typename Visit>
-  void VisitNear(Index triangle, Visit&& visit) const;
+  void VisitLeaf(std::size_t leaf, Visit&& visit) const
+  {
+    const std::size_t last = std::min(this->Order.size(), (leaf + 1) * InLeaf);
+    for (std::size_t i = leaf * InLeaf; i < last; ++i)
+    {
+      visit(this->Order[i]);
+    }
+  }
+  /// Lists the leaves that meet a box.
+  void ListLeaves(const Box3& box, std::vector<std::size_t>& leaves) const;
+  const Box3& BoxOf(Index triangle) const { return this->OfTriangle[triangle]; }
 
 private:
   void Sort(const std::vector<Point3>& points, const std::vector<Triangle>& triangles);
@@ -101,36 +112,28 @@ void BoxTree::Sort(const std::vector<Point3>& points, const std::vector<Triangle
   }
 }
 
-template <typename Visit>
-void BoxTree::VisitNear(Index triangle, Visit&& visit) const
+void BoxTree::ListLeaves(const Box3& box, std::vector<std::size_t>& leaves) const
 {
-  const Box3& own = this->OfTriangle[triangle];
+  leaves.clear();
   std::vector<std::pair<std::size_t, std::size_t>> open{ { this->Levels.size() - 1, 0 } };
   while (!open.empty())
   {
     const auto [level, number] = open.back();
     open.pop_back();
-    if (!own.Meets(this->Levels[level][number]))
+    if (!box.Meets(this->Levels[level][number]))
     {
       continue;
     }
-    if (level > 0)
+    if (level == 0)
     {
-      for (const std::size_t below : { 2 * number + 1, 2 * number })
-      {
-        if (below < this->Levels[level - 1].size())
-        {
-          open.emplace_back(level - 1, below);
-        }
-      }
+      leaves.push_back(number);
       continue;
     }
-    const std::size_t last = std::min(this->Order.size(), (number + 1) * InLeaf);
-    for (std::size_t i = number * InLeaf; i < last; ++i)
+    for (const std::size_t below : { 2 * number + 1, 2 * number })
     {
-      if (own.Meets(this->OfTriangle[this->Order[i]]))
+      if (below < this->Levels[level - 1].size())
       {
-        visit(this->Order[i]);
+        open.emplace_back(level - 1, below);
       }
     }
   }
@@ -173,6 +176,64 @@ private:
   const std::vector<Triangle>& Triangles;
   std::vector<int> OfFirst, OfSecond;
 };
+
+/// The tests of the marked triangles of one leaf of the tree.
+class LeafTest
+{
+public:
+  LeafTest(const BoxTree& tree, const std::vector<std::uint8_t>& isMarked, PairTest test)
+    : Tree(tree)
+    , IsMarked(isMarked)
+    , Test(std::move(test))
+  {
+  }
+
+  /// Adds the pairs that are not certainly apart.
+  void Run(std::size_t leaf, std::vector<std::pair<Index, Index>>& pairs)
+  {
+    Box3 box;
+    this->Marked.clear();
+    this->Tree.VisitLeaf(leaf,
+      [&](Index triangle)
+      {
+        if (this->IsMarked[triangle] != 0)
+        {
+          this->Marked.push_back(triangle);
+          box.Add(this->Tree.BoxOf(triangle));
+        }
+      });
+    if (this->Marked.empty())
+    {
+      return;
+    }
+    this->Tree.ListLeaves(box, this->Leaves);
+    for (const std::size_t other : this->Leaves)
+    {
+      this->Tree.VisitLeaf(other, [&](Index triangle) { this->TestAgainst(triangle, pairs); });
+    }
+  }
+
+private:
+  void TestAgainst(Index other, std::vector<std::pair<Index, Index>>& pairs)
+  {
+    const Box3& box = this->Tree.BoxOf(other);
+    for (const Index triangle : this->Marked)
+    {
+      // Of two marked ones, once.
+      const bool isFirst = other != triangle && (this->IsMarked[other] == 0 || other > triangle);
+      if (isFirst && box.Meets(this->Tree.BoxOf(triangle)) && !this->Test.AreApart(triangle, other))
+      {
+        pairs.push_back(std::minmax(triangle, other));
+      }
+    }
+  }
+
+  const BoxTree& Tree;
+  const std::vector<std::uint8_t>& IsMarked;
+  PairTest Test;
+  std::vector<Index> Marked;
+  std::vector<std::size_t> Leaves;
+};
 }
 
 std::vector<std::pair<Index, Index>> FindCrossings(const std::vector<Point3>& points,
@@ -180,37 +241,20 @@ std::vector<std::pair<Index, Index>> FindCrossings(const std::vector<Point3>& po
   const Execution& execution)
 {
   std::vector<std::pair<Index, Index>> all;
-  std::vector<Index> marked;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-  {
-    if (isMarked[t] != 0)
-    {
-      marked.push_back(static_cast<Index>(t));
-    }
-  }
-  if (marked.empty())
+  if (std::none_of(isMarked.begin(), isMarked.end(), [](std::uint8_t mark) { return mark != 0; }))
   {
     return all;
   }
   const BoxTree tree(points, triangles);
-  std::vector<std::vector<std::pair<Index, Index>>> found(
-    (marked.size() + BlockSize - 1) / BlockSize);
+  const std::size_t leaves = tree.CountLeaves();
+  std::vector<std::vector<std::pair<Index, Index>>> found((leaves + BlockSize - 1) / BlockSize);
   execution.For(found.size(),
     [&](std::size_t begin, std::size_t end)
     {
-      PairTest test(points, triangles);
-      for (std::size_t i = begin * BlockSize; i < std::min(marked.size(), end * BlockSize); ++i)
+      LeafTest test(tree, isMarked, PairTest(points, triangles));
+      for (std::size_t leaf = begin * BlockSize; leaf < std::min(leaves, end * BlockSize); ++leaf)
       {
-        const Index t = marked[i];
-        tree.VisitNear(t,
-          [&](Index other)
-          {
-            const bool isOther = isMarked[other] != 0 ? other > t : true;
-            if (isOther && other != t && !test.AreApart(t, other))
-            {
-              found[i / BlockSize].push_back(std::minmax(t, other));
-            }
-          });
+        test.Run(leaf, found[leaf / BlockSize]);
       }
     });
   for (const auto& pairs : found)

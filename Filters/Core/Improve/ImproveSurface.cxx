@@ -9,68 +9,89 @@
 
 #include <algorithm>
 
+#include <time.h>
+#include <cstdio>
+#include <cstdlib>
+static double Now() { timespec t; clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t); return t.tv_sec + 1e-9 * t.tv_nsec; }
+static double T0;
+#define TICK(x) do { if (getenv("TICK")) { double n = Now(); fprintf(stderr, "    %s %.4f\n", x, n - T0); T0 = n; } } while (0)
 namespace orthoslices
 {
 namespace
 {
 /// How often the surface is improved anew, less and less of it where triangles would meet.
-constexpr int MaxRounds = 5;
+constexpr int MaxRounds = 12;
 
-/// Fixes the points in boxes around triangles, wider by a share of their diagonals.
-void FixAround(const ImprovableMesh& mesh, const std::vector<std::pair<Index, Index>>& pairs,
-  double share, const std::vector<Point3>& points, std::vector<std::uint8_t>& isFixed)
+/// Fixes the corners of triangles that are not apart, as they are and as they were, and so many rings of
+/// points around them.
+void FixAround(const ImprovableMesh& mesh, const CornerTable& before,
+  const std::vector<std::pair<Index, Index>>& pairs, int rings, std::vector<std::uint8_t>& isFixed)
 {
-  std::vector<Box3> boxes;
+  std::vector<Index> points;
+  const auto add = [&](Index point)
+  {
+    if (static_cast<std::size_t>(point) < isFixed.size())
+    {
+      points.push_back(point);
+    }
+  };
   for (const auto& [first, second] : pairs)
   {
-    Box3 box;
     for (const Index triangle : { first, second })
     {
-      for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+      for (Index i = 0; i < 3; ++i)
       {
-        box.Add(mesh.Points[mesh.Corners.VertexOf(corner)]);
+        add(mesh.Corners.VertexOf(3 * triangle + i));
+        add(before.VertexOf(3 * mesh.Parent[triangle] + i));
       }
     }
-    const double wider = share * box.Diagonal();
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      box.Low[axis] -= wider;
-      box.High[axis] += wider;
-    }
-    boxes.push_back(box);
   }
-  std::sort(boxes.begin(), boxes.end(),
-    [](const Box3& a, const Box3& b) { return a.Low < b.Low; });
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (int ring = 0; ring < rings; ++ring)
   {
-    Box3 at;
-    at.Add(points[i]);
-    const bool isNear = std::any_of(
-      boxes.begin(), boxes.end(), [&](const Box3& box) { return box.Meets(at); });
-    isFixed[i] = isNear ? 1 : isFixed[i];
+    const std::size_t last = points.size();
+    for (std::size_t i = 0; i < last; ++i)
+    {
+      if (before.IsUsed(points[i]))
+      {
+        before.ForCornersAt(
+          points[i], [&](Index corner) { points.push_back(before.VertexOf(CornerTable::Next(corner))); });
+      }
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+  }
+  for (const Index point : points)
+  {
+    isFixed[point] = 1;
   }
 }
 
-/// The triangles that are left, with their numbers before.
-void ListLeft(const CornerTable& corners, std::vector<std::array<Index, 3>>& triangles,
+/// The triangles that are left, with their numbers, in the order of those that they were parts of.
+void ListLeft(const ImprovableMesh& mesh, std::vector<std::array<Index, 3>>& triangles,
   std::vector<Index>& numbers)
 {
+  const CornerTable& corners = mesh.Corners;
   triangles.clear();
   numbers.clear();
   for (Index corner = 0; corner < corners.CornerCount(); corner += 3)
   {
     if (corners.IsAlive(corner))
     {
-      triangles.push_back(
-        { corners.VertexOf(corner), corners.VertexOf(corner + 1), corners.VertexOf(corner + 2) });
       numbers.push_back(corner / 3);
     }
   }
+  std::stable_sort(numbers.begin(), numbers.end(),
+    [&](Index a, Index b) { return mesh.Parent[a] < mesh.Parent[b]; });
+  for (const Index number : numbers)
+  {
+    triangles.push_back({ corners.VertexOf(3 * number), corners.VertexOf(3 * number + 1),
+      corners.VertexOf(3 * number + 2) });
+  }
 }
 
-/// Numbers the points that are in use from 0 on.
+/// Numbers the points that are in use from 0 on. Those up to `count` were there before.
 void SetImproved(const ImprovableMesh& mesh, const std::vector<std::array<Index, 3>>& triangles,
-  const std::vector<Index>& numbers, const std::vector<std::int64_t>& origins, Patches& patches)
+  const std::vector<Index>& numbers, std::size_t count, Patches& patches)
 {
   ImprovedTriangles& improved = patches.Improved;
   improved = {};
@@ -80,7 +101,7 @@ void SetImproved(const ImprovableMesh& mesh, const std::vector<std::array<Index,
     if (mesh.Corners.IsUsed(static_cast<Index>(i)))
     {
       places[i] = static_cast<Index>(improved.Origin.size());
-      improved.Origin.push_back(origins[i]);
+      improved.Origin.push_back(i < count ? static_cast<std::int64_t>(i) : -1);
       improved.Points.insert(improved.Points.end(), mesh.Points[i].begin(), mesh.Points[i].end());
     }
   }
@@ -97,7 +118,7 @@ void SetImproved(const ImprovableMesh& mesh, const std::vector<std::array<Index,
   {
     // The end of this patch becomes that of its triangles that are left.
     const std::int64_t end = patches.Offsets[cycle + 1];
-    while (next < numbers.size() && numbers[next] < end)
+    while (next < numbers.size() && mesh.Parent[numbers[next]] < end)
     {
       ++next;
     }
@@ -109,6 +130,7 @@ void SetImproved(const ImprovableMesh& mesh, const std::vector<std::array<Index,
 void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals,
   const ImprovementLimits& limits, const Execution& execution, Patches& patches)
 {
+  T0 = Now();
   SurfaceTriangles all = ListTriangles(geometry, patches, execution);
   if (all.Triangles.empty())
   {
@@ -117,26 +139,26 @@ void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals
   const std::size_t count = all.Points.size();
   const std::vector<float> smooth = ListSmoothNormals(
     normals, patches, geometry.Graph.Count(), static_cast<std::int64_t>(count));
-  std::vector<std::int64_t> origins(count);
   std::vector<Point3> normalAt(count, Point3{ 0.0, 0.0, 0.0 });
   for (std::size_t i = 0; i < count; ++i)
   {
-    origins[i] = static_cast<std::int64_t>(i);
     if (!smooth.empty())
     {
       normalAt[i] = { smooth[3 * i], smooth[3 * i + 1], smooth[3 * i + 2] };
     }
   }
+  TICK("list");
   const CornerTable corners(static_cast<Index>(count), all.Triangles);
+  TICK("corners");
   std::vector<std::uint8_t> isFixed(count, 0);
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> numbers;
-  double share = 1.0;
-  for (int round = 0; round < MaxRounds; ++round, share *= 2.0)
+  for (int round = 0; round < MaxRounds; ++round)
   {
     ImprovableMesh mesh{ corners, all.Points, normalAt, isFixed };
     MeshImprover(geometry.Grid, limits, mesh).Run();
-    ListLeft(mesh.Corners, triangles, numbers);
+    TICK("run");
+    ListLeft(mesh, triangles, numbers);
     std::vector<std::uint8_t> isChanged;
     for (const Index number : numbers)
     {
@@ -144,9 +166,11 @@ void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals
     }
     std::vector<std::pair<Index, Index>> pairs =
       FindCrossings(mesh.Points, triangles, isChanged, execution);
+    TICK("find");
+    if (getenv("TICK")) fprintf(stderr, "    pairs %zu\n", pairs.size());
     if (pairs.empty())
     {
-      SetImproved(mesh, triangles, numbers, origins, patches);
+      SetImproved(mesh, triangles, numbers, count, patches);
       return;
     }
     for (auto& [first, second] : pairs)
@@ -154,7 +178,7 @@ void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals
       first = numbers[first];
       second = numbers[second];
     }
-    FixAround(mesh, pairs, share, all.Points, isFixed);
+    FixAround(mesh, corners, pairs, round / 3, isFixed);
   }
 }
 }

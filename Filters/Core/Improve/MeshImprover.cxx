@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace orthoslices
 {
@@ -14,8 +15,15 @@ namespace
 {
 constexpr double Degree = 3.14159265358979323846 / 180.0;
 
-/// Rounds over the triangles that are worse than each bound: what one makes better may help others.
-constexpr int Rounds = 3;
+/// Operations for each triangle that there is, at most: a guard, as each makes something better.
+constexpr std::size_t MaxWork = 10;
+
+/// How often slender triangles are split in two, at most: 2^6 times as long as wide ones become good.
+constexpr int MaxSplits = 6;
+
+/// The length of a side that is split, in lengths of the triangle's shortest side, at least: so that it
+/// has no small angles for another reason.
+constexpr double LeastLength = 2.5;
 
 /// The bounds, as shares of the one asked for: the worst come first.
 constexpr std::array<double, 4> Bounds{ 0.1, 0.4, 0.75, 1.0 };
@@ -23,19 +31,28 @@ constexpr std::array<double, 4> Bounds{ 0.1, 0.4, 0.75, 1.0 };
 /// The least that an operation gains, as a factor of the squared sine: so that none is done for nothing.
 constexpr double LeastGain = 1.02;
 
-/// The cosine of the angle by which a triangle may turn: 40 degrees. Triangles that are slivers have
+/// The same of a collapse, which leaves two triangles less, so that the next one may gain more.
+constexpr double LeastOfCollapse = 0.95;
+
+/// The cosine of the angle by which a triangle may turn: 60 degrees. Triangles that are slivers have
 /// normals that say nothing; those count as the surface around them.
-constexpr double MostTurn = 0.75;
+constexpr double MostTurn = 0.5;
 constexpr double SliverQuality = 0.01; ///< of the squared sine: 6 degrees
 
 /// The cosine between a triangle and the surface around it, where it has to be compared with that.
-constexpr double MostTilt = 0.35;
+constexpr double MostTilt = 0.2;
+
+/// Quality that is taken as it comes: 25 degrees.
+constexpr double Satisfying = 0.18;
 
 /// Quality beyond which none is better than another one: 35 degrees.
 constexpr double GoodEnough = 0.33;
 
-/// Triangles at a point, at most.
-constexpr std::size_t MaxValence = 12;
+/// The share of the tolerance up to which distances need not be known exactly.
+constexpr double NearEnough = 0.1;
+
+/// Triangles at a point, at most: many more would cost time, and have small angles anyway.
+constexpr std::size_t MaxValence = 32;
 
 using Corners3 = std::array<Point3, 3>;
 
@@ -67,7 +84,12 @@ MeshImprover::MeshImprover(
   , Mesh(mesh)
   , Shifts(mesh.Points.size(), 0.0)
 {
-  mesh.Changed.assign(static_cast<std::size_t>(mesh.Corners.CornerCount()) / 3, 0);
+  const std::size_t count = static_cast<std::size_t>(mesh.Corners.CornerCount()) / 3;
+  mesh.Changed.assign(count, 0);
+  mesh.Parent.resize(count);
+  std::iota(mesh.Parent.begin(), mesh.Parent.end(), 0);
+  this->TouchedAt.assign(mesh.Points.size(), 1);
+  this->FailedAt.assign(count, { 0, 0 });
 }
 
 MeshImprover::Corners3 MeshImprover::PlacesOf(Index triangle) const
@@ -112,13 +134,18 @@ Point3 MeshImprover::NormalOfStar() const
   return Unit(sum);
 }
 
-/// The distance of a place from the triangles as they would be.
+/// The distance of a place from the triangles as they would be, or a little more.
 double MeshImprover::DistanceToStar(const Point3& place) const
 {
   double nearest = HUGE_VAL;
+  const double enough = NearEnough * this->Limits.Tolerance;
   for (const Corners3& t : this->After)
   {
     nearest = std::min(nearest, SquaredDistanceToTriangle(place, t[0], t[1], t[2]));
+    if (nearest <= enough * enough)
+    {
+      return enough;
+    }
   }
   return std::sqrt(nearest);
 }
@@ -197,7 +224,8 @@ void MeshImprover::TryFlip(Index corner, Operation& best) const
     return;
   }
   const Point3 around = AreaOf({ pa, pb, pc }) + AreaOf({ pb, pa, pd });
-  if (Cosine(AreaOf(first), around) < MostTurn || Cosine(AreaOf(second), around) < MostTurn)
+  if (Cosine(AreaOf(first), around) < MostTurn ||
+    Cosine(AreaOf(second), around) < MostTurn)
   {
     return;
   }
@@ -220,7 +248,7 @@ void MeshImprover::TryCollapse(Index corner, Operation& best) const
   const Index start = corners.StartOf(corner), end = corners.EndOf(corner);
   this->GetStar(start);
   if (!this->IsFree(start) ||
-    this->Star.size() + static_cast<std::size_t>(corners.Valence(end)) > MaxValence + 4)
+    this->Star.size() + static_cast<std::size_t>(corners.Valence(end)) > MaxValence)
   {
     return;
   }
@@ -229,7 +257,7 @@ void MeshImprover::TryCollapse(Index corner, Operation& best) const
   {
     before = std::min(before, Quality(triangle));
   }
-  const double floor = std::max(LeastGain * before, best.Quality);
+  const double floor = std::max(LeastOfCollapse * before, best.Quality);
   if (!(GoodEnough > floor) ||
     !this->CheckStar(start, this->Mesh.Points[end], end, floor, quality))
   {
@@ -286,9 +314,23 @@ void MeshImprover::TryMove(Index point, Operation& best) const
   }
 }
 
+/// Notes that the triangles at a point have changed.
+void MeshImprover::Touch(Index point)
+{
+  this->Mesh.Corners.ForCornersAt(point,
+    [&](Index corner)
+    {
+      this->TouchedAt[this->Mesh.Corners.VertexOf(CornerTable::Next(corner))] = this->Now;
+      this->Mesh.Changed[corner / 3] = 1;
+      this->Open.push_back(corner / 3);
+    });
+  this->TouchedAt[point] = this->Now;
+}
+
 void MeshImprover::Apply(const Operation& operation)
 {
   CornerTable& corners = this->Mesh.Corners;
+  ++this->Now;
   if (operation.What == Kind::Flip)
   {
     const Index across = corners.OppositeOf(operation.Corner);
@@ -296,8 +338,13 @@ void MeshImprover::Apply(const Operation& operation)
            CornerTable::Previous(operation.Corner), across })
     {
       this->Shifts[corners.VertexOf(at)] = operation.Shift;
+      this->TouchedAt[corners.VertexOf(at)] = this->Now;
     }
-    this->Mesh.Changed[operation.Corner / 3] = this->Mesh.Changed[across / 3] = 1;
+    for (const Index triangle : { operation.Corner / 3, across / 3 })
+    {
+      this->Mesh.Changed[triangle] = 1;
+      this->Open.push_back(triangle);
+    }
     corners.Flip(operation.Corner);
     return;
   }
@@ -312,8 +359,8 @@ void MeshImprover::Apply(const Operation& operation)
   else
   {
     this->Mesh.Points[point] = operation.Place;
-    corners.ForCornersAt(point, [&](Index corner) { this->Mesh.Changed[corner / 3] = 1; });
   }
+  this->Touch(point);
   this->Shifts[point] = std::max(this->Shifts[point], operation.Shift);
 }
 
@@ -322,14 +369,30 @@ bool MeshImprover::Improve(Index triangle, bool withMoves)
 {
   Operation best;
   best.Quality = 0.0;
-  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+  // Across the shortest side, the second and the longest one.
+  std::array<std::pair<double, Index>, 3> sides;
+  for (Index i = 0; i < 3; ++i)
   {
-    this->TryCollapse(corner, best);
-    this->TryCollapse(this->Mesh.Corners.OppositeOf(corner), best);
+    const Index corner = 3 * triangle + i;
+    sides[i] = { SquaredDistance(this->Mesh.Points[this->Mesh.Corners.StartOf(corner)],
+                   this->Mesh.Points[this->Mesh.Corners.EndOf(corner)]),
+      corner };
   }
-  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+  std::sort(sides.begin(), sides.end());
+  this->TryFlip(sides[2].second, best);
+  for (const auto& side : sides)
   {
-    this->TryFlip(corner, best);
+    this->TryCollapse(side.second, best);
+    this->TryCollapse(this->Mesh.Corners.OppositeOf(side.second), best);
+    if (best.Quality >= Satisfying)
+    {
+      break; // what is better elsewhere is not worth looking for
+    }
+  }
+  if (best.What == Kind::None)
+  {
+    this->TryFlip(sides[0].second, best);
+    this->TryFlip(sides[1].second, best);
   }
   for (Index corner = 3 * triangle; withMoves && corner < 3 * triangle + 3; ++corner)
   {
@@ -343,24 +406,120 @@ bool MeshImprover::Improve(Index triangle, bool withMoves)
   return true;
 }
 
+/// Whether anything beside a triangle has changed since nothing helped it.
+bool MeshImprover::MayHelp(Index triangle, bool withMoves) const
+{
+  Index touched = 0;
+  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+  {
+    touched = std::max(touched, this->TouchedAt[this->Mesh.Corners.VertexOf(corner)]);
+  }
+  return touched > this->FailedAt[triangle][withMoves ? 1 : 0];
+}
+
+/// Improves the triangles that are worse than a bound, and those that become so.
+void MeshImprover::RunBelow(double quality, bool withMoves)
+{
+  const CornerTable& corners = this->Mesh.Corners;
+  this->Open.resize(static_cast<std::size_t>(corners.CornerCount()) / 3);
+  std::iota(this->Open.begin(), this->Open.end(), 0);
+  std::size_t work = MaxWork * this->Open.size();
+  for (std::size_t i = 0; i < this->Open.size() && work > 0; ++i)
+  {
+    const Index triangle = this->Open[i];
+    if (!corners.IsAlive(3 * triangle) || !(this->QualityOf(triangle) < quality) ||
+      !this->MayHelp(triangle, withMoves))
+    {
+      continue;
+    }
+    --work;
+    if (!this->Improve(triangle, withMoves))
+    {
+      this->FailedAt[triangle][0] = this->Now;
+      this->FailedAt[triangle][1] = withMoves ? this->Now : this->FailedAt[triangle][1];
+    }
+  }
+}
+
+/// Splits the longest sides of slender triangles. False if there are none.
+bool MeshImprover::SplitBelow(double quality)
+{
+  CornerTable& corners = this->Mesh.Corners;
+  bool any = false;
+  const Index count = corners.CornerCount() / 3;
+  for (Index triangle = 0; triangle < count; ++triangle)
+  {
+    if (!corners.IsAlive(3 * triangle) || !(this->QualityOf(triangle) < quality))
+    {
+      continue;
+    }
+    const Corners3 places = this->PlacesOf(triangle);
+    Index longest = 0;
+    double most = 0.0, least = HUGE_VAL;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double side = SquaredDistance(places[(i + 1) % 3], places[(i + 2) % 3]);
+      longest = side > most ? 3 * triangle + i : longest;
+      most = std::max(most, side);
+      least = std::min(least, side);
+    }
+    const Index across = corners.OppositeOf(longest);
+    const std::array<Index, 4> around{ corners.StartOf(longest), corners.EndOf(longest),
+      corners.VertexOf(longest), corners.VertexOf(across) };
+    if (most < LeastLength * LeastLength * least ||
+      std::any_of(around.begin(), around.end(),
+        [&](Index point) { return this->Mesh.Fixed[point] != 0; }))
+    {
+      continue;
+    }
+    this->Split(longest);
+    any = true;
+  }
+  return any;
+}
+
+/// Puts a point in the middle of the edge of a corner.
+void MeshImprover::Split(Index corner)
+{
+  CornerTable& corners = this->Mesh.Corners;
+  const Index a = corners.StartOf(corner), b = corners.EndOf(corner);
+  const Index parent = this->Mesh.Parent[corner / 3];
+  const Index parentAcross = this->Mesh.Parent[corners.OppositeOf(corner) / 3];
+  Point3 middle = Between(this->Mesh.Points[a], this->Mesh.Points[b], 0.5);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    middle[axis] = this->Grid.MoveIntoBounds(axis, middle[axis]);
+  }
+  ++this->Now;
+  const Index point = corners.Split(corner); // its last two triangles are parts of these two
+  this->Mesh.Parent.insert(this->Mesh.Parent.end(), { parent, parentAcross });
+  this->Mesh.Changed.insert(this->Mesh.Changed.end(), 2, 1);
+  this->FailedAt.insert(this->FailedAt.end(), 2, { 0, 0 });
+  this->Mesh.Points.push_back(middle);
+  this->Mesh.Normals.push_back({ 0.0, 0.0, 0.0 });
+  this->Mesh.Fixed.push_back(0);
+  this->Shifts.push_back(std::max(this->Shifts[a], this->Shifts[b]));
+  this->TouchedAt.push_back(this->Now);
+  this->Touch(point);
+}
+
 void MeshImprover::Run()
 {
-  const Index count = this->Mesh.Corners.CornerCount() / 3;
+  const auto qualityOf = [](double degrees)
+  {
+    const double sine = std::sin(degrees * Degree);
+    return sine * sine;
+  };
   for (const double share : Bounds)
   {
-    const double sine = std::sin(share * this->Limits.SmallAngle * Degree);
-    bool changed = true;
-    for (int round = 0; round < Rounds && changed; ++round)
-    {
-      changed = false;
-      for (Index triangle = 0; triangle < count; ++triangle)
-      {
-        if (this->Mesh.Corners.IsAlive(3 * triangle) && this->QualityOf(triangle) < sine * sine)
-        {
-          changed |= this->Improve(triangle, round > 0);
-        }
-      }
-    }
+    const double quality = qualityOf(share * this->Limits.SmallAngle);
+    this->RunBelow(quality, false);
+    this->RunBelow(quality, true);
+  }
+  const double slender = qualityOf(this->Limits.SplitAngle);
+  for (int i = 0; i < MaxSplits && this->SplitBelow(slender); ++i)
+  {
+    this->RunBelow(qualityOf(this->Limits.SmallAngle), true);
   }
 }
 }

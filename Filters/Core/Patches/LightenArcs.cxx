@@ -34,6 +34,9 @@ constexpr double ShareOfRoom = 0.25;
 /// edges that run along the surface do not move far.
 constexpr double LeastSquaredCosine = 0.05;
 
+/// Faster than hypot, whose care for very large and small numbers is not needed.
+double Span(const Point2& a, const Point2& b) { return std::sqrt(SquaredDistance(a, b)); }
+
 /// The deviation of the part of a curve between two places on it.
 CurveDeviation MeasureDeviation(
   const std::vector<Point2>& curve, const CurvePlace& from, const CurvePlace& to)
@@ -49,7 +52,7 @@ CurveDeviation MeasureDeviation(
     previous = curve[i];
   }
   twiceArea += Cross(previous - from.Place, to.Place - from.Place);
-  const double length = Distance(from.Place, to.Place);
+  const double length = Span(from.Place, to.Place);
   // A curve to the right of its chord and the chord backwards run counter-clockwise.
   deviation.Height = length > 0.0 ? HeightByMean * 0.5 * twiceArea / length : 0.0;
   return deviation;
@@ -228,8 +231,8 @@ void ArcLightener::DrawPart(
   const std::size_t sides = light.Sides.size();
   const auto balance = [&](std::size_t before, std::size_t after)
   {
-    return BalanceOf(light.Sides[before], Distance(places[before].Place, places[before + 1].Place),
-      light.Sides[after], Distance(places[after].Place, places[after + 1].Place));
+    return BalanceOf(light.Sides[before], Span(places[before].Place, places[before + 1].Place),
+      light.Sides[after], Span(places[after].Place, places[after + 1].Place));
   };
   const SpatialGrid& grid = this->Geometry.Grid;
   for (std::size_t i = 1; i < sides; ++i)
@@ -398,7 +401,7 @@ LightCurve LightenCurve(const std::vector<Point2>& curve, double tolerance)
   std::vector<double> lengths(curve.size(), 0.0);
   for (std::size_t i = 1; i < curve.size(); ++i)
   {
-    lengths[i] = lengths[i - 1] + Distance(curve[i - 1], curve[i]);
+    lengths[i] = lengths[i - 1] + Span(curve[i - 1], curve[i]);
   }
   int parts = 1;
   bool isNear = false;
