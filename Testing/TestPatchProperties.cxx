@@ -107,6 +107,7 @@ TEST(PatchProperties, DefaultsAndRanges)
   EXPECT_EQ(filter->GetPatchType(), Filter::SMOOTH);
   EXPECT_EQ(filter->GetEdgeLength(), 0.25);
   EXPECT_EQ(filter->GetChordTolerance(), 0.0);
+  EXPECT_EQ(filter->GetAccuracy(), 0.0);
   EXPECT_EQ(filter->GetCornerAngle(), 60.0);
   EXPECT_EQ(filter->GetSmoothing(), 0.0);
   EXPECT_EQ(filter->GetContourTolerance(), 0.0);
@@ -118,6 +119,8 @@ TEST(PatchProperties, DefaultsAndRanges)
   EXPECT_EQ(filter->GetEdgeLength(), 0.02);
   filter->SetChordTolerance(-1.0);
   EXPECT_EQ(filter->GetChordTolerance(), 0.0);
+  filter->SetAccuracy(-1.0);
+  EXPECT_EQ(filter->GetAccuracy(), 0.0);
   filter->SetCornerAngle(1000.0);
   EXPECT_EQ(filter->GetCornerAngle(), 180.0);
   filter->SetSmoothing(-2.0);
@@ -133,6 +136,7 @@ TEST(PatchProperties, SettersChangeTheTimeAndAreAllPrinted)
     { "PatchType: Coons", [](Filter* f) { f->SetPatchTypeToCoons(); } },
     { "EdgeLength: 0.5", [](Filter* f) { f->SetEdgeLength(0.5); } },
     { "ChordTolerance: 0.125", [](Filter* f) { f->SetChordTolerance(0.125); } },
+    { "Accuracy: 0.0625", [](Filter* f) { f->SetAccuracy(0.0625); } },
     { "CornerAngle: 45", [](Filter* f) { f->SetCornerAngle(45.0); } },
     { "Smoothing: 0.75", [](Filter* f) { f->SetSmoothing(0.75); } },
     { "ContourTolerance: 0.0625", [](Filter* f) { f->SetContourTolerance(0.0625); } },
@@ -148,6 +152,7 @@ TEST(PatchProperties, NumbersThatAreNoneAreErrors)
   const std::vector<std::pair<const char*, Change>> changes{
     { "EdgeLength", [none](Filter* f) { f->SetEdgeLength(none); } },
     { "ChordTolerance", [none](Filter* f) { f->SetChordTolerance(none); } },
+    { "Accuracy", [none](Filter* f) { f->SetAccuracy(none); } },
     { "CornerAngle", [none](Filter* f) { f->SetCornerAngle(none); } },
     { "Smoothing", [none](Filter* f) { f->SetSmoothing(none); } },
     { "ContourTolerance", [none](Filter* f) { f->SetContourTolerance(none); } },
@@ -285,6 +290,30 @@ TEST(PatchProperties, ThinnedContoursStayWithinTheTolerance)
 }
 
 //----------------------------------------------------------------------------
+/// Few triangles of good shape, as accurate as was asked for.
+TEST(PatchProperties, AccuracyMakesFewTrianglesOfGoodShape)
+{
+  const SmoothSolid solid = SmoothTorus();
+  const PieceSets sets = SlicesOf(solid, 20, 10);
+  const double spacing = 2.2 / 20; // at least
+  const auto all = Surface(sets, [](Filter*) {});
+  const auto fewer = Surface(sets, [](Filter* f) { f->SetAccuracy(0.025); });
+  const auto few = Surface(sets, [](Filter* f) { f->SetAccuracy(0.1); });
+  EXPECT_LT(fewer->GetNumberOfCells(), all->GetNumberOfCells() / 6);
+  EXPECT_LT(few->GetNumberOfCells(), 0.7 * fewer->GetNumberOfCells());
+  EXPECT_LT(AccuracyOf(fewer, solid).Distance, 0.2 * 0.025 * spacing);
+  EXPECT_LT(AccuracyOf(few, solid).Distance, 0.2 * 0.1 * spacing);
+  for (const auto& surface : { fewer, few })
+  {
+    EXPECT_GT(QualityOf(surface, "ShareOfTrianglesAbove20Degrees"), 0.99);
+    EXPECT_GT(QualityOf(surface, "SmallestAngle"), 5.0);
+    EXPECT_LT(QualityOf(surface, "LargestAspectRatio"), 15.0);
+    const SurfaceCheck check = CheckSurface(MeshOf(surface));
+    EXPECT_TRUE(check.IsClosedManifold());
+  }
+}
+
+//----------------------------------------------------------------------------
 TEST(PatchProperties, CurvaturesOfATorusAreKnown)
 {
   const SmoothSolid solid = SmoothTorus(); // radii 0.62 and 0.27
@@ -321,6 +350,8 @@ TEST(PatchProperties, GuaranteesHoldForAllSettings)
     [](Filter* f) { f->SetCornerAngle(20.0); },
     [](Filter* f) { f->SetSmoothing(3.0); },
     [](Filter* f) { f->SetContourTolerance(0.05); },
+    [](Filter* f) { f->SetAccuracy(0.025); },
+    [](Filter* f) { f->SetAccuracy(0.2); },
     [](Filter* f)
     {
       f->SetSmoothing(1.0);

@@ -58,7 +58,7 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
   cells->SetData(offsets, connectivity);
 }
 
-/// The values of some of all points; zero for those with the number -1.
+/// The values of some of all points.
 std::vector<float> SelectTuples(
   const std::vector<float>& values, std::size_t components, const std::vector<std::int64_t>& points)
 {
@@ -66,11 +66,6 @@ std::vector<float> SelectTuples(
   selected.reserve(components * points.size());
   for (const std::int64_t point : points)
   {
-    if (point < 0)
-    {
-      selected.insert(selected.end(), components, 0.0f);
-      continue;
-    }
     const auto first = values.begin() + static_cast<std::ptrdiff_t>(components * point);
     selected.insert(selected.end(), first, first + static_cast<std::ptrdiff_t>(components));
   }

@@ -18,6 +18,14 @@ namespace orthoslices
 {
 namespace
 {
+/// The parts of PatchOptions::Accuracy that arcs with few vertices and better triangles may use up. What
+/// is left is for what they add to each other.
+constexpr double ShareOfArcs = 0.4;
+constexpr double ShareOfTriangles = 0.4;
+
+/// Triangles with a smaller angle are improved, in degrees: somewhat above the 20 that are wanted.
+constexpr double GoodAngle = 25.0;
+
 /// One repair for each patch between real slices that became a shell.
 std::vector<Repair> DescribeShells(const Reconstruction& result)
 {
@@ -143,33 +151,58 @@ bool DrawGraph(Pass& pass) { return MakeSlicesAgree(pass) && BuildGraph(pass); }
 
 bool ConnectContours(Pass& pass) { return DrawGraph(pass) && PatchCells(pass); }
 
-/// Normals along the contours, and the inside of the patches (section 5).
-bool FillCycles(const PatchOptions& patching, Pass& pass)
+namespace
+{
+/// Normals along the contours, if patches are made from them; and the points that triangles have on
+/// contours, if they are to be few.
+LightGraph DrawOutlines(const PatchOptions& patching, Pass& pass)
 {
   Reconstruction& result = pass.Result;
   const CycleGeometry geometry = GeometryOf(result);
+  LightGraph light;
   if (NeedsNormals(patching.Method))
   {
     result.Normals = EstimateNormals(geometry, patching.CornerAngle,
       TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), pass.Execute);
   }
   pass.Finish(Stage::EstimateNormals);
-  LightGraph light;
-  const bool isLight = patching.Accuracy > 0.0 && !result.Normals.Normals.empty();
-  if (isLight)
+  if (patching.Accuracy > 0.0 && NeedsNormals(patching.Method))
   {
     light = LightenArcs({ geometry, result.Cells, result.Surface.Meshes, result.Normals },
-      patching.Accuracy, pass.Execute);
+      ShareOfArcs * patching.Accuracy, pass.Execute);
   }
-  result.Surface.Inner = BuildInnerPatches({ geometry, result.Cells, result.Normals,
-                                             result.Surface.CentralPoints, result.Surface.Meshes,
-                                             isLight ? &light : nullptr },
-    patching, pass.Execute);
-  if (isLight)
+  pass.Finish(Stage::LightenArcs);
+  return light;
+}
+
+/// Triangles of good shape, if they are to be few.
+void ImproveIfLight(const PatchOptions& patching, const LightGraph& light, Pass& pass)
+{
+  Reconstruction& result = pass.Result;
+  if (light.Any() && result.Grid.Metric.IsWorld())
   {
-    result.Graph = std::move(light.Graph);
+    const double tolerance = ShareOfTriangles * patching.Accuracy * MinMeanSpacing(result.Grid);
+    ImproveSurface(
+      GeometryOf(result), result.Normals, { tolerance, GoodAngle }, pass.Execute, result.Surface);
+  }
+  pass.Finish(Stage::ImproveSurface);
+}
+}
+
+/// Normals along the contours, and the inside of the patches (section 5).
+bool FillCycles(const PatchOptions& patching, Pass& pass)
+{
+  Reconstruction& result = pass.Result;
+  LightGraph light = DrawOutlines(patching, pass);
+  result.Surface.Inner = BuildInnerPatches(
+    { GeometryOf(result), result.Cells, result.Normals, result.Surface.CentralPoints,
+      result.Surface.Meshes, light.Any() ? &light : nullptr },
+    patching, pass.Execute);
+  if (light.Any())
+  {
+    std::swap(result.Graph, light.Graph);
     result.Nodes.Position.swap(light.Positions);
-    result.Normals = std::move(light.Normals);
+    std::swap(result.Normals, light.Normals);
   }
   if (!GivesNormals(patching.Method))
   {
@@ -177,12 +210,8 @@ bool FillCycles(const PatchOptions& patching, Pass& pass)
   }
   pass.Finish(Stage::BuildInnerPatches);
   LayOutTriangles(result.Graph, result.Cycles, result.Surface);
-  if (isLight && result.Grid.Metric.IsWorld() && !getenv("NOIMP"))
-  {
-    ImproveSurface(geometry, result.Normals,
-      { (getenv("E5") ? atof(getenv("E5")) : 1.0) * patching.Accuracy * MinMeanSpacing(result.Grid), (getenv("E6") ? atof(getenv("E6")) : 25.0), (getenv("E7") ? atof(getenv("E7")) : 5.0) }, pass.Execute, result.Surface);
-  }
   pass.Finish(Stage::LayOutTriangles);
+  ImproveIfLight(patching, light, pass);
   return pass.GoOn(0.8);
 }
 }

@@ -16,7 +16,8 @@ bool Sketch(double edgeLength, Pass& pass)
   patching.EdgeLength =
     std::max(patching.EdgeLength, edgeLength / MinMeanSpacing(pass.Result.Grid));
   patching.Shared = nullptr;
-  patching.Accuracy = 0.0; // contours keep their vertices: the surface is going to be bent through them
+  patching.Accuracy =
+    0.0; // contours keep their vertices: the surface is going to be bent through them
   return FillCycles(patching, pass);
 }
 

@@ -207,8 +207,8 @@ void MoveNodes(const std::vector<double>& moves, const SpatialGrid& grid,
   {
     nodes.Position[node] = grid.Round(nodes.Position[node] + moves[node]);
     const Point3 place = NodePosition(grid, code, crossings, nodes, node);
-    std::copy(place.begin(), place.end(),
-      graph.Points.begin() + 3 * static_cast<std::ptrdiff_t>(node));
+    std::copy(
+      place.begin(), place.end(), graph.Points.begin() + 3 * static_cast<std::ptrdiff_t>(node));
   }
 }
 

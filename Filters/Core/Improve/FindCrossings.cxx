@@ -12,7 +12,7 @@ namespace orthoslices
 namespace
 {
 /// Triangles in the smallest boxes, and how many of these are asked for in a row. They change the time only.
-constexpr std::size_t InLeaf = 8;
+constexpr std::size_t InLeaf = 4;
 constexpr std::size_t BlockSize = 64;
 
 /// Spreads the lowest ten bits of a number, two zeros between each and the next.
@@ -33,43 +33,42 @@ public:
   BoxTree(const std::vector<Point3>& points, const std::vector<Triangle>& triangles);
 
   std::size_t CountLeaves() const { return this->Levels[0].size(); }
-  /// Calls visit(triangle) for the triangles of a leaf.
+  /// Calls visit(triangle, its box) for the triangles of a leaf.
   template <typename Visit>
   void VisitLeaf(std::size_t leaf, Visit&& visit) const
   {
     const std::size_t last = std::min(this->Order.size(), (leaf + 1) * InLeaf);
     for (std::size_t i = leaf * InLeaf; i < last; ++i)
     {
-      visit(this->Order[i]);
+      visit(this->Order[i], this->Boxes[i]);
     }
   }
   /// Lists the leaves that meet a box.
   void ListLeaves(const Box3& box, std::vector<std::size_t>& leaves) const;
-  const Box3& BoxOf(Index triangle) const { return this->OfTriangle[triangle]; }
 
 private:
   void Sort(const std::vector<Point3>& points, const std::vector<Triangle>& triangles);
 
   std::vector<Index> Order;
-  std::vector<Box3> OfTriangle;
+  std::vector<Box3> Boxes;               ///< of the triangles, in that order
   std::vector<std::vector<Box3>> Levels; ///< the leaves first; box i of a level has 2 i and 2 i + 1
 };
 
 BoxTree::BoxTree(const std::vector<Point3>& points, const std::vector<Triangle>& triangles)
-  : OfTriangle(triangles.size())
+  : Boxes(triangles.size())
 {
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+  this->Sort(points, triangles);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    for (const Index corner : triangles[t])
+    for (const Index corner : triangles[this->Order[i]])
     {
-      this->OfTriangle[t].Add(points[corner]);
+      this->Boxes[i].Add(points[corner]);
     }
   }
-  this->Sort(points, triangles);
   this->Levels.emplace_back((triangles.size() + InLeaf - 1) / InLeaf);
   for (std::size_t i = 0; i < triangles.size(); ++i)
   {
-    this->Levels[0][i / InLeaf].Add(this->OfTriangle[this->Order[i]]);
+    this->Levels[0][i / InLeaf].Add(this->Boxes[i]);
   }
   while (this->Levels.back().size() > 1)
   {
@@ -88,9 +87,9 @@ void BoxTree::Sort(const std::vector<Point3>& points, const std::vector<Triangle
 {
   constexpr double steps = 1023.0;
   Box3 all;
-  for (const Box3& box : this->OfTriangle)
+  for (const Triangle& triangle : triangles)
   {
-    all.Add(box);
+    all.Add(points[triangle[0]]);
   }
   std::vector<std::pair<std::uint32_t, Index>> codes(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -152,6 +151,8 @@ public:
   bool AreApart(Index a, Index b)
   {
     const Triangle &s = this->Triangles[a], &t = this->Triangles[b];
+    const std::array<Point3, 3> p{ this->Points[s[0]], this->Points[s[1]], this->Points[s[2]] };
+    const std::array<Point3, 3> q{ this->Points[t[0]], this->Points[t[1]], this->Points[t[2]] };
     this->OfFirst.clear();
     this->OfSecond.clear();
     for (int i = 0; i < 3; ++i)
@@ -165,13 +166,25 @@ public:
         }
       }
     }
-    const std::array<Point3, 3> p{ this->Points[s[0]], this->Points[s[1]], this->Points[s[2]] };
-    const std::array<Point3, 3> q{ this->Points[t[0]], this->Points[t[1]], this->Points[t[2]] };
+    if (this->OfFirst.size() == 1 &&
+      (IsOnOneSide(p, q, this->OfSecond[0]) || IsOnOneSide(q, p, this->OfFirst[0])))
+    {
+      return true;
+    }
     return this->OfFirst.empty() ? CertainlyApart(p, q)
                                  : CertainlyApartBeyond(this->OfFirst, p, this->OfSecond, q);
   }
 
 private:
+  /// Whether a triangle lies on one side of the plane of another one, but for a corner that both have.
+  static bool IsOnOneSide(
+    const std::array<Point3, 3>& other, const std::array<Point3, 3>& triangle, int corner)
+  {
+    const int side = CertainSide(other[0], other[1], other[2], triangle[(corner + 1) % 3]);
+    return side != 0 &&
+      side == CertainSide(other[0], other[1], other[2], triangle[(corner + 2) % 3]);
+  }
+
   const std::vector<Point3>& Points;
   const std::vector<Triangle>& Triangles;
   std::vector<int> OfFirst, OfSecond;
@@ -194,12 +207,12 @@ public:
     Box3 box;
     this->Marked.clear();
     this->Tree.VisitLeaf(leaf,
-      [&](Index triangle)
+      [&](Index triangle, const Box3& own)
       {
         if (this->IsMarked[triangle] != 0)
         {
-          this->Marked.push_back(triangle);
-          box.Add(this->Tree.BoxOf(triangle));
+          this->Marked.push_back({ triangle, own });
+          box.Add(own);
         }
       });
     if (this->Marked.empty())
@@ -209,21 +222,31 @@ public:
     this->Tree.ListLeaves(box, this->Leaves);
     for (const std::size_t other : this->Leaves)
     {
-      this->Tree.VisitLeaf(other, [&](Index triangle) { this->TestAgainst(triangle, pairs); });
+      this->Tree.VisitLeaf(other,
+        [&](Index triangle, const Box3& own)
+        {
+          if (own.Meets(box))
+          {
+            this->TestAgainst({ triangle, own }, pairs);
+          }
+        });
     }
   }
 
 private:
-  void TestAgainst(Index other, std::vector<std::pair<Index, Index>>& pairs)
+  using BoxedTriangle = std::pair<Index, Box3>;
+
+  void TestAgainst(const BoxedTriangle& other, std::vector<std::pair<Index, Index>>& pairs)
   {
-    const Box3& box = this->Tree.BoxOf(other);
-    for (const Index triangle : this->Marked)
+    const bool isMarked = this->IsMarked[other.first] != 0;
+    for (const BoxedTriangle& triangle : this->Marked)
     {
       // Of two marked ones, once.
-      const bool isFirst = other != triangle && (this->IsMarked[other] == 0 || other > triangle);
-      if (isFirst && box.Meets(this->Tree.BoxOf(triangle)) && !this->Test.AreApart(triangle, other))
+      const bool isFirst = isMarked ? other.first > triangle.first : true;
+      if (isFirst && other.second.Meets(triangle.second) &&
+        !this->Test.AreApart(triangle.first, other.first))
       {
-        pairs.push_back(std::minmax(triangle, other));
+        pairs.push_back(std::minmax(triangle.first, other.first));
       }
     }
   }
@@ -231,7 +254,7 @@ private:
   const BoxTree& Tree;
   const std::vector<std::uint8_t>& IsMarked;
   PairTest Test;
-  std::vector<Index> Marked;
+  std::vector<BoxedTriangle> Marked;
   std::vector<std::size_t> Leaves;
 };
 }

@@ -18,13 +18,6 @@ constexpr double Degree = 3.14159265358979323846 / 180.0;
 /// Operations for each triangle that there is, at most: a guard, as each makes something better.
 constexpr std::size_t MaxWork = 10;
 
-/// How often slender triangles are split in two, at most: 2^6 times as long as wide ones become good.
-constexpr int MaxSplits = 6;
-
-/// The length of a side that is split, in lengths of the triangle's shortest side, at least: so that it
-/// has no small angles for another reason.
-constexpr double LeastLength = 2.5;
-
 /// The bounds, as shares of the one asked for: the worst come first.
 constexpr std::array<double, 4> Bounds{ 0.1, 0.4, 0.75, 1.0 };
 
@@ -86,8 +79,6 @@ MeshImprover::MeshImprover(
 {
   const std::size_t count = static_cast<std::size_t>(mesh.Corners.CornerCount()) / 3;
   mesh.Changed.assign(count, 0);
-  mesh.Parent.resize(count);
-  std::iota(mesh.Parent.begin(), mesh.Parent.end(), 0);
   this->TouchedAt.assign(mesh.Points.size(), 1);
   this->FailedAt.assign(count, { 0, 0 });
 }
@@ -120,7 +111,8 @@ bool MeshImprover::IsFree(Index point) const
 {
   const CornerTable& corners = this->Mesh.Corners;
   return this->Mesh.Fixed[point] == 0 &&
-    std::all_of(this->Star.begin(), this->Star.end(), [&](Index corner)
+    std::all_of(this->Star.begin(), this->Star.end(),
+      [&](Index corner)
       { return this->Mesh.Fixed[corners.VertexOf(CornerTable::Next(corner))] == 0; });
 }
 
@@ -224,8 +216,7 @@ void MeshImprover::TryFlip(Index corner, Operation& best) const
     return;
   }
   const Point3 around = AreaOf({ pa, pb, pc }) + AreaOf({ pb, pa, pd });
-  if (Cosine(AreaOf(first), around) < MostTurn ||
-    Cosine(AreaOf(second), around) < MostTurn)
+  if (Cosine(AreaOf(first), around) < MostTurn || Cosine(AreaOf(second), around) < MostTurn)
   {
     return;
   }
@@ -233,8 +224,8 @@ void MeshImprover::TryFlip(Index corner, Operation& best) const
   const Point3 across3 = Cross(pb - pa, pd - pc);
   const double length = Length(across3);
   const double shift = length > 0.0 ? std::abs(Dot(pc - pa, across3)) / length : HUGE_VAL;
-  const double known = std::max(
-    { this->Shifts[a], this->Shifts[b], this->Shifts[c], this->Shifts[d] });
+  const double known =
+    std::max({ this->Shifts[a], this->Shifts[b], this->Shifts[c], this->Shifts[d] });
   if (shift + known <= this->Limits.Tolerance && corners.CanFlip(corner))
   {
     best = { Kind::Flip, corner, -1, {}, shift + known, std::min(quality, GoodEnough) };
@@ -258,13 +249,11 @@ void MeshImprover::TryCollapse(Index corner, Operation& best) const
     before = std::min(before, Quality(triangle));
   }
   const double floor = std::max(LeastOfCollapse * before, best.Quality);
-  if (!(GoodEnough > floor) ||
-    !this->CheckStar(start, this->Mesh.Points[end], end, floor, quality))
+  if (!(GoodEnough > floor) || !this->CheckStar(start, this->Mesh.Points[end], end, floor, quality))
   {
     return;
   }
-  const double shift =
-    std::max(this->Shifts[start], this->Shifts[end]) + this->ShiftOfStar(start);
+  const double shift = std::max(this->Shifts[start], this->Shifts[end]) + this->ShiftOfStar(start);
   if (shift <= this->Limits.Tolerance && corners.CanCollapse(corner))
   {
     best = { Kind::Collapse, corner, -1, {}, shift, std::min(quality, GoodEnough) };
@@ -352,8 +341,8 @@ void MeshImprover::Apply(const Operation& operation)
   if (operation.What == Kind::Collapse)
   {
     point = corners.EndOf(operation.Corner);
-    corners.ForCornersAt(corners.StartOf(operation.Corner),
-      [&](Index corner) { this->Mesh.Changed[corner / 3] = 1; });
+    corners.ForCornersAt(
+      corners.StartOf(operation.Corner), [&](Index corner) { this->Mesh.Changed[corner / 3] = 1; });
     corners.Collapse(operation.Corner);
   }
   else
@@ -441,68 +430,6 @@ void MeshImprover::RunBelow(double quality, bool withMoves)
   }
 }
 
-/// Splits the longest sides of slender triangles. False if there are none.
-bool MeshImprover::SplitBelow(double quality)
-{
-  CornerTable& corners = this->Mesh.Corners;
-  bool any = false;
-  const Index count = corners.CornerCount() / 3;
-  for (Index triangle = 0; triangle < count; ++triangle)
-  {
-    if (!corners.IsAlive(3 * triangle) || !(this->QualityOf(triangle) < quality))
-    {
-      continue;
-    }
-    const Corners3 places = this->PlacesOf(triangle);
-    Index longest = 0;
-    double most = 0.0, least = HUGE_VAL;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double side = SquaredDistance(places[(i + 1) % 3], places[(i + 2) % 3]);
-      longest = side > most ? 3 * triangle + i : longest;
-      most = std::max(most, side);
-      least = std::min(least, side);
-    }
-    const Index across = corners.OppositeOf(longest);
-    const std::array<Index, 4> around{ corners.StartOf(longest), corners.EndOf(longest),
-      corners.VertexOf(longest), corners.VertexOf(across) };
-    if (most < LeastLength * LeastLength * least ||
-      std::any_of(around.begin(), around.end(),
-        [&](Index point) { return this->Mesh.Fixed[point] != 0; }))
-    {
-      continue;
-    }
-    this->Split(longest);
-    any = true;
-  }
-  return any;
-}
-
-/// Puts a point in the middle of the edge of a corner.
-void MeshImprover::Split(Index corner)
-{
-  CornerTable& corners = this->Mesh.Corners;
-  const Index a = corners.StartOf(corner), b = corners.EndOf(corner);
-  const Index parent = this->Mesh.Parent[corner / 3];
-  const Index parentAcross = this->Mesh.Parent[corners.OppositeOf(corner) / 3];
-  Point3 middle = Between(this->Mesh.Points[a], this->Mesh.Points[b], 0.5);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    middle[axis] = this->Grid.MoveIntoBounds(axis, middle[axis]);
-  }
-  ++this->Now;
-  const Index point = corners.Split(corner); // its last two triangles are parts of these two
-  this->Mesh.Parent.insert(this->Mesh.Parent.end(), { parent, parentAcross });
-  this->Mesh.Changed.insert(this->Mesh.Changed.end(), 2, 1);
-  this->FailedAt.insert(this->FailedAt.end(), 2, { 0, 0 });
-  this->Mesh.Points.push_back(middle);
-  this->Mesh.Normals.push_back({ 0.0, 0.0, 0.0 });
-  this->Mesh.Fixed.push_back(0);
-  this->Shifts.push_back(std::max(this->Shifts[a], this->Shifts[b]));
-  this->TouchedAt.push_back(this->Now);
-  this->Touch(point);
-}
-
 void MeshImprover::Run()
 {
   const auto qualityOf = [](double degrees)
@@ -515,11 +442,6 @@ void MeshImprover::Run()
     const double quality = qualityOf(share * this->Limits.SmallAngle);
     this->RunBelow(quality, false);
     this->RunBelow(quality, true);
-  }
-  const double slender = qualityOf(this->Limits.SplitAngle);
-  for (int i = 0; i < MaxSplits && this->SplitBelow(slender); ++i)
-  {
-    this->RunBelow(qualityOf(this->Limits.SmallAngle), true);
   }
 }
 }

@@ -18,22 +18,19 @@ struct ImprovableMesh
   std::vector<Point3> Normals;         ///< of the surface at the points; zero where it has none
   std::vector<std::uint8_t> Fixed;     ///< of each point: no triangle at it changes
   std::vector<std::uint8_t> Changed{}; ///< of each triangle: it is another one than it was
-  std::vector<Index> Parent{};         ///< of each triangle: the one that it was, or was a part of
 };
 
 /// What may be done to a surface.
 struct ImprovementLimits
 {
-  double Tolerance = 0.0; ///< how far the surface may move, in world units
+  double Tolerance = 0.0;  ///< how far the surface may move, in world units
   double SmallAngle = 0.0; ///< triangles with a smaller one are to be improved, in degrees
-  double SplitAngle = 0.0; ///< those with a smaller one may be divided into more triangles
 };
 
 /**
  * Shapes triangles well, by local operations: where one has a small angle, a side of it is turned into
  * the other diagonal, collapses into one of its ends, or a corner moves along the surface, whatever makes
- * the smallest angle around it the greatest. The worst triangles come first. Where that does not help with
- * slender ones, their longest sides are split, which adds points at the end. Nothing is done that moves the
+ * the smallest angle around it the greatest. The worst triangles come first. Nothing is done that moves the
  * surface by more than the tolerance, folds it, or changes its topology. Whether distant parts of it come
  * to meet each other is for the caller to find out (FindCrossings). Deterministic.
  */
@@ -54,17 +51,15 @@ private:
   struct Operation
   {
     Kind What = Kind::None;
-    Index Corner = -1; ///< the corner opposite to the edge that is flipped or collapses
-    Index Point = -1;  ///< that is moved
-    Point3 Place{};    ///< and where it goes
+    Index Corner = -1;  ///< the corner opposite to the edge that is flipped or collapses
+    Index Point = -1;   ///< that is moved
+    Point3 Place{};     ///< and where it goes
     double Shift = 0.0; ///< of the surface
     double Quality = 0.0;
   };
   using Corners3 = std::array<Point3, 3>;
 
   void RunBelow(double quality, bool withMoves);
-  bool SplitBelow(double quality);
-  void Split(Index corner);
   bool Improve(Index triangle, bool withMoves);
   bool MayHelp(Index triangle, bool withMoves) const;
   void Touch(Index point);
@@ -84,14 +79,15 @@ private:
   const SpatialGrid& Grid;
   ImprovementLimits Limits;
   ImprovableMesh& Mesh;
-  std::vector<double> Shifts; ///< of each point: how far the surface has moved near it
-  Index Now = 1;              ///< counts operations
-  std::vector<Index> TouchedAt;               ///< of each point: the last operation beside it
-  std::vector<std::array<Index, 2>> FailedAt; ///< of each triangle: when nothing helped it, without and with moves
-  std::vector<Index> Open;                    ///< triangles to be looked at
-  mutable std::vector<Index> Star;        ///< corners at a point
-  mutable std::vector<Corners3> Before;   ///< their triangles as they are,
-  mutable std::vector<Corners3> After;    ///< and as they would be
+  std::vector<double> Shifts;   ///< of each point: how far the surface has moved near it
+  Index Now = 1;                ///< counts operations
+  std::vector<Index> TouchedAt; ///< of each point: the last operation beside it
+  std::vector<std::array<Index, 2>>
+    FailedAt;              ///< of each triangle: when nothing helped it, without and with moves
+  std::vector<Index> Open; ///< triangles to be looked at
+  mutable std::vector<Index> Star;      ///< corners at a point
+  mutable std::vector<Corners3> Before; ///< their triangles as they are,
+  mutable std::vector<Corners3> After;  ///< and as they would be
 };
 }
 

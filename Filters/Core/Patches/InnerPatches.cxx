@@ -49,6 +49,10 @@ namespace
 /// are many for each thread.
 constexpr std::size_t BlockSize = 256;
 
+/// Mean radii of a patch for one of EdgeLength, where these are measured in patches: that of a square
+/// as wide as slices are apart is 0.58 of that, so that the default makes sides of about half its width.
+constexpr double RadiiOfEdge = 4.0;
+
 /// What filling a polygon takes, and the memory for it, reused from one polygon to the next.
 struct Workshop
 {
@@ -63,19 +67,26 @@ struct Workshop
   static PatchResolution ResolutionOf(const SpatialGrid& grid, const PatchOptions& options)
   {
     const double spacing = MinMeanSpacing(grid);
-    return { options.EdgeLength * spacing, options.ChordTolerance * spacing, options.Accuracy };
+    if (options.Accuracy > 0.0)
+    {
+      return { RadiiOfEdge * options.EdgeLength, 0.0, options.Accuracy };
+    }
+    return { options.EdgeLength * spacing, options.ChordTolerance * spacing, 0.0 };
   }
 
   /// The polygons that the triangles have as their borders.
   static CycleGeometry OutlinesOf(const PatchTables& tables)
   {
     const CycleGeometry& geometry = tables.Geometry;
-    return { geometry.Grid, tables.Light ? tables.Light->Graph : geometry.Graph,
-      geometry.Crossings, geometry.Nodes, geometry.Cycles };
+    return { geometry.Grid, tables.Light ? tables.Light->Graph : geometry.Graph, geometry.Crossings,
+      geometry.Nodes, geometry.Cycles };
   }
 
   /// Where the triangles' vertices are.
-  const PatchBorder& Outline() const { return this->Tables.Light ? this->LightBorder : this->Border; }
+  const PatchBorder& Outline() const
+  {
+    return this->Tables.Light ? this->LightBorder : this->Border;
+  }
   const std::vector<std::uint8_t>& Corners() const
   {
     return this->Tables.Light ? this->Tables.Light->Normals.Corners : this->Tables.Normals.Corners;

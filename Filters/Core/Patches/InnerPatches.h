@@ -56,8 +56,11 @@ struct PatchOptions
   double CornerAngle = 1.0471975511965976; ///< of contours: 60 degrees; see EstimateNormals
   double EdgeLength = 0.25;                ///< of triangles inside patches, in mean plane spacings
   double ChordTolerance = 0.0;             ///< in mean plane spacings; see PatchResolution
-  /// How far the surface may be from what it would be with all vertices of contours and many triangles,
-  /// as a share of the spacing of slices. 0: contours keep their vertices; see LightenArcs.
+  /**
+   * With few triangles, how far contours may be from the surface, in mean spacings of the planes across
+   * their slices: see LightenArcs, SmoothPatchBuilder and ImproveSurface. Then EdgeLength is measured in
+   * quarters of a patch's mean radius. 0: contours keep their vertices. For PatchMethod::Smooth.
+   */
   double Accuracy = 0.0;
   /// Patches of structures that were made before: taken over where borders are the same, and added to.
   SharedPatches* Shared = nullptr;

@@ -118,8 +118,8 @@ void DivideAtKept(
 
 /// How far the end of two sides is to move to the right, so that both leave as much on one side as on the
 /// other; not where one of them replaces a corner.
-double BalanceOf(
-  const CurveDeviation& before, double lengthBefore, const CurveDeviation& after, double lengthAfter)
+double BalanceOf(const CurveDeviation& before, double lengthBefore, const CurveDeviation& after,
+  double lengthAfter)
 {
   const bool isSmooth = std::abs(before.Height) <= MaxHeight * lengthBefore &&
     std::abs(after.Height) <= MaxHeight * lengthAfter;
@@ -239,7 +239,8 @@ void ArcLightener::DrawPart(
   {
     const Point2 p = places[i].Place +
       balance(i - 1, i) * RightAt(places[i - 1].Place, places[i].Place, places[i + 1].Place);
-    drawing.Vertices.push_back(this->Geometry.InSpace(face, { grid.Round(p[0]), grid.Round(p[1]) }));
+    drawing.Vertices.push_back(
+      this->Geometry.InSpace(face, { grid.Round(p[0]), grid.Round(p[1]) }));
     const Point3 from = this->NormalAt(points[places[i].Side]);
     const Point3 to = this->NormalAt(points[places[i].Side + 1]);
     drawing.Normals.push_back(Unit(Between(from, to, places[i].Share)));
@@ -305,9 +306,8 @@ double ArcLightener::MoveAlong(Index node, const std::vector<ArcDrawing>& arcs) 
   const GridEdge edge = this->Code.Decode(crossings.Edge[nodes.First[node]]);
   const double cosine = normal[edge.Direction];
   const double move = 0.25 * sum * cosine / (cosine * cosine + LeastSquaredCosine);
-  const double most = std::min(
-    { this->RoomBeside(node, edge), this->Tolerance(FirstAxis(edge.Direction)),
-      this->Tolerance(SecondAxis(edge.Direction)) });
+  const double most = std::min({ this->RoomBeside(node, edge),
+    this->Tolerance(FirstAxis(edge.Direction)), this->Tolerance(SecondAxis(edge.Direction)) });
   return std::max(-most, std::min(most, move));
 }
 
@@ -423,47 +423,55 @@ LightCurve LightenCurve(const std::vector<Point2>& curve, double tolerance)
   return light;
 }
 
+namespace
+{
+/// Draws the arcs that are not fixed, and moves their node points.
+void DrawLight(const ArcSurface& surface, const ArcLightener& lightener, const ArcsByFace& faces,
+  const FixedArcs& fixed, const Execution& execution, LightGraph& light)
+{
+  std::vector<ArcDrawing> arcs(surface.Geometry.Graph.Arcs);
+  std::vector<double> moves(surface.Geometry.Nodes.Count(), 0.0);
+  execution.For(faces.Count(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const FaceArcs face = faces[static_cast<Index>(i)];
+        for (const Index arc : face)
+        {
+          arcs[arc] = fixed.Arcs[arc] != 0 ? lightener.Keep(arc) : lightener.Draw(face.Face, arc);
+        }
+      }
+    });
+  execution.For(moves.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        moves[i] = fixed.Nodes[i] != 0 ? 0.0 : lightener.MoveAlong(static_cast<Index>(i), arcs);
+      }
+    });
+  Assemble(arcs, moves, surface, light);
+  MoveInsideFaces(surface.Geometry.Grid, faces, execution, light.Graph);
+}
+}
+
 LightGraph LightenArcs(const ArcSurface& surface, double accuracy, const Execution& execution)
 {
   const CycleGeometry& geometry = surface.Geometry;
   const ArcsByFace faces = GroupArcsByFace(geometry.Grid, geometry.Crossings, execution);
-  const ArcGeometry arcGeometry{ geometry.Grid, geometry.Nodes, geometry.Crossings,
-    geometry.Graph };
-  const ArcLightener lightener(arcGeometry, surface.Normals, accuracy);
+  const ArcGeometry before{ geometry.Grid, geometry.Nodes, geometry.Crossings, geometry.Graph };
+  const ArcLightener lightener(before, surface.Normals, accuracy);
   FixedArcs fixed(surface);
   LightGraph light;
-  std::vector<ArcDrawing> arcs(geometry.Graph.Arcs);
-  std::vector<double> moves(geometry.Nodes.Count(), 0.0);
-  for (bool again = true; again;)
+  bool again = geometry.Nodes.Count() > 0;
+  while (again)
   {
-    execution.For(faces.Count(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const FaceArcs face = faces[static_cast<Index>(i)];
-          for (const Index arc : face)
-          {
-            arcs[arc] =
-              fixed.Arcs[arc] != 0 ? lightener.Keep(arc) : lightener.Draw(face.Face, arc);
-          }
-        }
-      });
-    execution.For(moves.size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          moves[i] = fixed.Nodes[i] != 0 ? 0.0 : lightener.MoveAlong(static_cast<Index>(i), arcs);
-        }
-      });
-    Assemble(arcs, moves, surface, light);
-    NodePoints nodes = geometry.Nodes;
-    nodes.Position = light.Positions;
-    MoveInsideFaces(geometry.Grid, faces, execution, light.Graph);
+    DrawLight(surface, lightener, faces, fixed, execution, light);
     again = false;
+    // Those with crossings are drawn as they were, which have none.
     for (const Index face : FindCrossingFaces(
-           { geometry.Grid, nodes, geometry.Crossings, light.Graph }, faces, execution))
+           { geometry.Grid, geometry.Nodes, geometry.Crossings, light.Graph }, faces, execution))
     {
       for (const Index arc : faces[face])
       {

@@ -49,6 +49,8 @@ struct LightGraph
   NodeGraph Graph;
   std::vector<double> Positions; ///< of its nodes along their edges
   SurfaceNormals Normals;        ///< at the points of Graph
+
+  bool Any() const { return !this->Positions.empty(); }
 };
 
 /// What arcs are lightened by.
@@ -72,8 +74,7 @@ struct ArcSurface
  * all vertices, as these patches are known to be apart as they are; so do faces whose arcs would cross.
  * Arcs are embedded in their faces, and both patches beside an arc have what is left of it: no cracks.
  */
-LightGraph LightenArcs(
-  const ArcSurface& surface, double accuracy, const Execution& execution);
+LightGraph LightenArcs(const ArcSurface& surface, double accuracy, const Execution& execution);
 }
 
 #endif

@@ -20,6 +20,15 @@ constexpr double MinSlope = 0.1;
 /// would crowd around them.
 constexpr double MinSide = 1e-3;
 
+/// The same where triangles are to be few: what is beside short sides is improved afterwards.
+constexpr double MinLightSide = 0.3;
+
+/// The height of the surface over the sides of triangles inside a patch, by the accuracy that is asked
+/// for. As their ends are moved out by the mean height, less than half of it is left beside any place.
+/// With a third less or more, the RMS error of twelve shapes at 32 planes per axis changes by 1 %, and the
+/// number of triangles by 5 %.
+constexpr double HeightByAccuracy = 0.6;
+
 /// How far zeros may lie from the middle of the border, or from its heights. The top of a
 /// hemisphere lies 1 off the middle of its rim: farther zeros are others, of another part of the
 /// function.
@@ -74,12 +83,12 @@ std::size_t MaxPoints(std::size_t border)
 /// The length of triangle sides that the resolution asks for, in the plane of the view.
 double SmoothPatchBuilder::SizeOfTriangles() const
 {
-  static const double E1 = getenv("E1") ? atof(getenv("E1")) : 1.0;
-  static const double E4 = getenv("E4") ? atof(getenv("E4")) : 1.0;
-  const bool light = this->Resolution.Accuracy > 0.0;
-  const double tol = light ? E4 * this->Resolution.Accuracy * MinMeanSpacing(this->Grid) : this->Resolution.ChordTolerance;
-  double size = light ? E1 * this->View.Radius() : this->Resolution.EdgeLength;
-  if (tol > 0.0)
+  const bool isLight = this->Resolution.Accuracy > 0.0;
+  const double tolerance = isLight
+    ? HeightByAccuracy * this->Resolution.Accuracy * MinMeanSpacing(this->Grid)
+    : this->Resolution.ChordTolerance;
+  double size = this->Resolution.EdgeLength * (isLight ? this->View.Radius() : 1.0);
+  if (tolerance > 0.0)
   {
     // How much the normals change over the patch is its curvature; a chord lies length^2 / 8 of it
     // off the surface.
@@ -94,7 +103,7 @@ double SmoothPatchBuilder::SizeOfTriangles() const
                               : change;
     }
     const double curvature = change / this->View.Radius();
-    const double length = std::sqrt(8.0 * tol / curvature);
+    const double length = std::sqrt(8.0 * tolerance / curvature);
     size = std::min(size, length);
   }
   return size / this->View.Radius();
@@ -229,8 +238,7 @@ bool SmoothPatchBuilder::Triangulate(const PatchBorder& border, const PatchBorde
   const Index n = outline.Count();
   const std::size_t maxPoints = MaxPoints(polygon.size());
   this->Disc.MakeDelaunay();
-  static const double E2 = getenv("E2") ? atof(getenv("E2")) : 0.3;
-  const double minSide = this->Resolution.Accuracy > 0.0 ? E2 : MinSide;
+  const double minSide = this->Resolution.Accuracy > 0.0 ? MinLightSide : MinSide;
   this->Disc.Refine(this->SizeOfTriangles(), maxPoints, minSide);
   // No side between two points of the border may lie on a face of the cell.
   this->Disc.SplitSides(
@@ -265,10 +273,9 @@ void SmoothPatchBuilder::Balance(const PatchBorder& outline, InnerPatch& patch) 
       counts[-1 - a] += 1.0;
     }
   }
-  static const double E3 = getenv("E3") ? atof(getenv("E3")) : 1.0;
   for (std::size_t i = 0; i < sums.size(); ++i)
   {
-    const Point3 moved = patch.Points[i] + (E3 * sums[i] / counts[i]) * patch.Normals[i];
+    const Point3 moved = patch.Points[i] + (sums[i] / counts[i]) * patch.Normals[i];
     patch.Points[i] = outline.MoveInside(this->Grid, moved);
   }
 }

@@ -16,7 +16,8 @@ struct PatchResolution
   /// Greatest distance of a side's middle from the surface, in world units; 0 for any. Then sides
   /// are as short as that asks, EdgeLength at most.
   double ChordTolerance = 0.0;
-  /// See PatchOptions. If it is not 0, the length of sides is about that of the border's arcs.
+  /// See PatchOptions. If it is not 0, it takes the place of ChordTolerance, and EdgeLength is a share
+  /// of each patch's mean radius.
   double Accuracy = 0.0;
 };
 

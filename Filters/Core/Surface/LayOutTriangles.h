@@ -14,7 +14,7 @@ namespace orthoslices
 struct ImprovedTriangles
 {
   std::vector<double> Points;       ///< x, y, z of each
-  std::vector<std::int64_t> Origin; ///< of each point: its id before, ascending; -1 of new ones at the end
+  std::vector<std::int64_t> Origin; ///< of each point, ascending: its id before
   std::vector<Index> Corners;       ///< three points of each triangle
 
   bool Any() const { return !this->Corners.empty(); }
