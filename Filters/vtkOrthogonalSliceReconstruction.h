@@ -687,6 +687,17 @@ public:
 
   ///@{
   /**
+   * Whether the accuracy follows from the surface's own error, as the fit of smooth patches to contours and
+   * what slices disagree on tell it, in the place of Accuracy: as few triangles as add about a twentieth
+   * to that error. Off by default.
+   */
+  vtkSetMacro(AutomaticAccuracy, bool);
+  vtkGetMacro(AutomaticAccuracy, bool);
+  vtkBooleanMacro(AutomaticAccuracy, bool);
+  ///@}
+
+  ///@{
+  /**
    * Angle in degrees by which a contour turns at a corner. Smooth patches keep corners as creases
    * of the surface, where that fits the contours better than a smooth surface, and Smoothing keeps
    * them. Corners that noise may have made are none. Default 60, range 0 to 180 (no corners).
@@ -876,6 +887,7 @@ private:
   double EdgeLength = 0.25;
   double ChordTolerance = 0.0;
   double Accuracy = 0.0;
+  bool AutomaticAccuracy = false;
   double CornerAngle = 60.0;
   double Smoothing = 0.0;
   double ContourTolerance = 0.0;

@@ -108,6 +108,7 @@ TEST(PatchProperties, DefaultsAndRanges)
   EXPECT_EQ(filter->GetEdgeLength(), 0.25);
   EXPECT_EQ(filter->GetChordTolerance(), 0.0);
   EXPECT_EQ(filter->GetAccuracy(), 0.0);
+  EXPECT_FALSE(filter->GetAutomaticAccuracy());
   EXPECT_EQ(filter->GetCornerAngle(), 60.0);
   EXPECT_EQ(filter->GetSmoothing(), 0.0);
   EXPECT_EQ(filter->GetContourTolerance(), 0.0);
@@ -137,6 +138,7 @@ TEST(PatchProperties, SettersChangeTheTimeAndAreAllPrinted)
     { "EdgeLength: 0.5", [](Filter* f) { f->SetEdgeLength(0.5); } },
     { "ChordTolerance: 0.125", [](Filter* f) { f->SetChordTolerance(0.125); } },
     { "Accuracy: 0.0625", [](Filter* f) { f->SetAccuracy(0.0625); } },
+    { "AutomaticAccuracy: On", [](Filter* f) { f->AutomaticAccuracyOn(); } },
     { "CornerAngle: 45", [](Filter* f) { f->SetCornerAngle(45.0); } },
     { "Smoothing: 0.75", [](Filter* f) { f->SetSmoothing(0.75); } },
     { "ContourTolerance: 0.0625", [](Filter* f) { f->SetContourTolerance(0.0625); } },
@@ -314,6 +316,24 @@ TEST(PatchProperties, AccuracyMakesFewTrianglesOfGoodShape)
 }
 
 //----------------------------------------------------------------------------
+/// The same share of the error, however small that is.
+TEST(PatchProperties, AutomaticAccuracyFollowsTheError)
+{
+  for (const SmoothSolid& solid : { SmoothTorus(), SmoothEllipsoid() })
+  {
+    SCOPED_TRACE(solid.Name);
+    for (const int planes : { 8, 16 })
+    {
+      const PieceSets sets = SlicesOf(solid, planes, 10);
+      const auto all = Surface(sets, [](Filter*) {});
+      const auto few = Surface(sets, [](Filter* f) { f->AutomaticAccuracyOn(); });
+      EXPECT_LT(few->GetNumberOfCells(), all->GetNumberOfCells() / 2);
+      EXPECT_LT(AccuracyOf(few, solid).Distance, 1.5 * AccuracyOf(all, solid).Distance);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
 TEST(PatchProperties, CurvaturesOfATorusAreKnown)
 {
   const SmoothSolid solid = SmoothTorus(); // radii 0.62 and 0.27
@@ -352,6 +372,7 @@ TEST(PatchProperties, GuaranteesHoldForAllSettings)
     [](Filter* f) { f->SetContourTolerance(0.05); },
     [](Filter* f) { f->SetAccuracy(0.025); },
     [](Filter* f) { f->SetAccuracy(0.2); },
+    [](Filter* f) { f->AutomaticAccuracyOn(); },
     [](Filter* f)
     {
       f->SetSmoothing(1.0);

@@ -51,6 +51,7 @@ LabelRunner::LabelRunner(
 {
   this->Settings.Patching.Shared = &this->Shared;
   this->Settings.Patching.Accuracy = 0.0; // on common borders, triangles of all are the same
+  this->Settings.Patching.OwnAccuracy = false;
   this->Settings.Junctions = &this->Junctions;
   for (const SortedSlices& label : labels)
   {

@@ -287,6 +287,25 @@ bool NeedsNormals(PatchMethod method) { return method != PatchMethod::Fan; }
 
 bool GivesNormals(PatchMethod method) { return method == PatchMethod::Smooth; }
 
+double FitError(const PatchTables& tables)
+{
+  constexpr Index most = 400; // the error of their mean is a twentieth
+  SmoothPatchBuilder builder(tables.Geometry.Grid, PatchResolution());
+  PatchBorder border;
+  double sum = 0.0, count = 0.0;
+  const Index cycles = tables.Geometry.Cycles.Count();
+  for (Index cycle = 0; cycle < cycles; cycle += 1 + cycles / most)
+  {
+    border.Set(tables.Geometry, tables.Normals, cycle);
+    if (builder.Fit(border))
+    {
+      sum += builder.Deviation() * builder.Deviation();
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
 InnerPatches BuildInnerPatches(
   const PatchTables& tables, const PatchOptions& options, const Execution& execution)
 {

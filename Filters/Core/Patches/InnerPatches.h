@@ -62,6 +62,8 @@ struct PatchOptions
    * quarters of a patch's mean radius. 0: contours keep their vertices. For PatchMethod::Smooth.
    */
   double Accuracy = 0.0;
+  /// Accuracy follows from the error of the surface, as FitError estimates it.
+  bool OwnAccuracy = false;
   /// Patches of structures that were made before: taken over where borders are the same, and added to.
   SharedPatches* Shared = nullptr;
 };
@@ -107,6 +109,13 @@ struct PatchTables
     return { p[0], p[1], p[2] };
   }
 };
+
+/**
+ * How far contours lie off surfaces without creases that are fitted to each patch, RMS of at most a few
+ * hundred patches, in world units: about as far as the smooth patches are from the object between its
+ * contours. 0 if there are no patches that tell.
+ */
+double FitError(const PatchTables& tables);
 
 /**
  * Fills the cycles that are in no mesh. Of borders with corners, those for which that explains more

@@ -226,6 +226,12 @@ bool SmoothPatchBuilder::PlacePoint(
   return true;
 }
 
+bool SmoothPatchBuilder::Fit(const PatchBorder& border)
+{
+  return this->View.Set(border) &&
+    this->Surface.Fit(this->View.Places(), this->View.Normals(), border.Weights);
+}
+
 /// Triangulates the outline as it is seen in the plane.
 bool SmoothPatchBuilder::Triangulate(const PatchBorder& border, const PatchBorder& outline)
 {
@@ -284,9 +290,7 @@ bool SmoothPatchBuilder::Build(
   const PatchBorder& border, const PatchBorder& outline, InnerPatch& patch)
 {
   patch.Clear();
-  if (!this->View.Set(border) ||
-    !this->Surface.Fit(this->View.Places(), this->View.Normals(), border.Weights) ||
-    !this->Triangulate(border, outline))
+  if (!this->Fit(border) || !this->Triangulate(border, outline))
   {
     return false;
   }

@@ -36,6 +36,8 @@ public:
   {
   }
 
+  /// Fits the surface alone, for Deviation; false if that is impossible.
+  bool Fit(const PatchBorder& border);
   /// False if the border cannot be seen as a whole or leaves no room for the precision, or if the
   /// surface runs away from the contours.
   bool Build(const PatchBorder& border, InnerPatch& patch)

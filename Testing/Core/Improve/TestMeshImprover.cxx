@@ -17,7 +17,7 @@ using namespace orthoslices::support;
 
 namespace
 {
-/// A ball of radius 1 whose rings of 24 points lie alternately `gap` and much more apart.
+/// A ball of radius 1 whose rings of 16 points lie alternately `gap` and much more apart.
 PlainMesh BallOfPairs(double gap)
 {
   std::vector<double> heights, radii;
@@ -29,7 +29,7 @@ PlainMesh BallOfPairs(double gap)
       radii.push_back(std::sqrt(1.0 - height * height));
     }
   }
-  return RingMesh(24, radii, heights, -1.0, 1.0);
+  return RingMesh(16, radii, heights, -1.0, 1.0);
 }
 
 ImprovableMesh Improvable(const PlainMesh& mesh)
@@ -73,8 +73,8 @@ TriangleQuality QualityOf(const TriangleMesh& mesh)
   {
     ids.insert(ids.end(), triangle.begin(), triangle.end());
   }
-  return MeasureQuality(points.data(), ids.data(),
-    static_cast<std::int64_t>(mesh.Triangles.size()), Execution());
+  return MeasureQuality(
+    points.data(), ids.data(), static_cast<std::int64_t>(mesh.Triangles.size()), Execution());
 }
 
 /// The greatest distance of points from a surface.
@@ -87,8 +87,7 @@ double DistanceOf(const std::vector<Point3>& points, const TriangleMesh& mesh)
     for (const auto& t : mesh.Triangles)
     {
       nearest = std::min(nearest,
-        SquaredDistanceToTriangle(
-          point, mesh.Points[t[0]], mesh.Points[t[1]], mesh.Points[t[2]]));
+        SquaredDistanceToTriangle(point, mesh.Points[t[0]], mesh.Points[t[1]], mesh.Points[t[2]]));
     }
     farthest = std::max(farthest, nearest);
   }
