@@ -89,6 +89,11 @@ void vtkOrthogonalSliceReconstruction::SetFamilyConnection(int family, vtkAlgori
   this->SetInputConnection(family - 1, output);
 }
 
+void vtkOrthogonalSliceReconstruction::SetContoursConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(InputPorts - 1, output);
+}
+
 vtkPolyData* vtkOrthogonalSliceReconstruction::GetGraphOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
@@ -304,7 +309,8 @@ bool vtkOrthogonalSliceReconstruction::WriteLabels(orthoslices::LabelSurfaces&& 
 {
   orthoslices::LabelOutputs appended(labels, outputs);
   std::ostringstream refused, report;
-  report << orthoslices::DescribeOverlaps(surfaces.Overlaps, labels);
+  report << orthoslices::DescribeOverlaps(surfaces.Overlaps, labels)
+         << orthoslices::DescribeLosses(surfaces.Losses, labels);
   bool any = false;
   const double share = (1.0 - ProgressBeforeSurface) / labels.Count();
   for (orthoslices::Index label = 0; label < labels.Count(); ++label)

@@ -184,7 +184,6 @@
  * and makes no contours of it). Contours without a label (of an input that lacks the array, NaN, an
  * empty name) take no part, and a warning counts them. A label whose contours are refused leaves the
  * others as they are; a warning names it. Only if all are refused, this is an error.
-  std::vector<vtkDataObject*> ListInputs();
  *
  * In a parallel run the first process reconstructs the whole surface from the whole input; the
  * outputs of the others are empty.
@@ -243,16 +242,21 @@ class VTKFILTERSORTHOGONALSLICES_EXPORT vtkOrthogonalSliceReconstruction
   : public vtkPolyDataAlgorithm
 {
 public:
+  ///@{
+  /// As in every class of VTK.
   static vtkOrthogonalSliceReconstruction* New();
   vtkTypeMacro(vtkOrthogonalSliceReconstruction, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
+  /// Values of SetOrientation().
   enum OrientationMode
   {
     ORIENT_BY_NESTING = 0,
     ORIENT_AS_DRAWN = 1
   };
 
+  /// Values of SetInvalidContours().
   enum InvalidContoursMode
   {
     REFUSE = 0,
@@ -260,6 +264,7 @@ public:
     MEND = 2
   };
 
+  /// Values of SetBorderContours().
   enum BorderContoursMode
   {
     CLOSE_ALONG_BORDER = 0,
@@ -267,6 +272,7 @@ public:
     REFUSE_AT_BORDER = 2
   };
 
+  /// Values of SetCrossingContours().
   enum CrossingContoursMode
   {
     REPAIR_CROSSING = 0,
@@ -274,6 +280,7 @@ public:
     LEAVE_OUT_CROSSING = 2
   };
 
+  /// Values of SetLoopRule().
   enum LoopRuleMode
   {
     UNION = 0,
@@ -281,6 +288,7 @@ public:
     NON_ZERO = 2
   };
 
+  /// Values of SetFrame().
   enum FrameMode
   {
     AUTOMATIC_FRAME = 0,
@@ -288,12 +296,14 @@ public:
     GIVEN_FRAME = 2
   };
 
+  /// Values of SetSeveralCycles().
   enum SeveralCyclesMode
   {
     BY_EVIDENCE = 0,
     DISCS = 1
   };
 
+  /// Values of SetVirtualSlices().
   enum VirtualSlicesMode
   {
     AUTOMATIC_VIRTUAL_SLICES = 0,
@@ -301,6 +311,7 @@ public:
     VIRTUAL_SLICES_BY_SPACING = 2
   };
 
+  /// Values of SetEndCaps().
   enum EndCapsMode
   {
     DOME_ENDS = 0,
@@ -308,6 +319,7 @@ public:
     HALF_SLICE_ENDS = 2
   };
 
+  /// Values of SetCorrespondence().
   enum CorrespondenceMode
   {
     CORRESPOND_BY_EVIDENCE = 0,
@@ -317,6 +329,7 @@ public:
     CORRESPOND_BY_REEB_GRAPH = 4
   };
 
+  /// Values of SetPatchType().
   enum PatchTypeMode
   {
     SMOOTH = 0,
@@ -324,6 +337,7 @@ public:
     COONS = 2
   };
 
+  /// Values of SetCentralPoint().
   enum CentralPointMode
   {
     LEAST_SQUARES = 0,
@@ -547,10 +561,10 @@ public:
    * With several families of fewer than a dozen slices each, or a stack of 8 to 16 with a few across:
    * whether virtual slices are those of a smooth function that is zero on all contours (radial basis
    * functions with derivatives), if it foretells slices that are left out about as well as what there is
-   * without it. Of round things with few slices that is mostly much closer; but it depends on rounding,
-   * so that the same contours in another order or along other axes give a surface that differs a
-   * little, and it may join what the slices leave open. Takes seconds. Nothing with VirtualSlices off.
-   * Default: off.
+   * without it. Of round things with few slices that is mostly much closer. It may join what the slices
+   * leave open, but what ExpectedComponents and ExpectedGenus have decided stays so; it depends on
+   * rounding, so that the same contours along other axes give a surface that differs a little. Takes a
+   * second or two. Nothing with VirtualSlices off. Default: on.
    */
   vtkSetMacro(FollowField, bool);
   vtkGetMacro(FollowField, bool);
@@ -809,6 +823,12 @@ public:
    */
   void SetFamilyConnection(int family, vtkAlgorithmOutput* output);
 
+  /**
+   * Connects slices of any families: the same as SetInputConnection(3, output). It is all the input
+   * that one family of parallel slices needs, whatever the direction of their planes.
+   */
+  void SetContoursConnection(vtkAlgorithmOutput* output);
+
   ///@{
   /**
    * The graph G (port 1), the histogram of polygon sizes (port 2), and the tables of contours
@@ -828,11 +848,14 @@ protected:
   vtkOrthogonalSliceReconstruction();
   ~vtkOrthogonalSliceReconstruction() override = default;
 
+  ///@{
+  /// What the pipeline of VTK calls.
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  ///@}
 
 private:
   vtkOrthogonalSliceReconstruction(const vtkOrthogonalSliceReconstruction&) = delete;
@@ -899,7 +922,7 @@ private:
   bool InsertMissingContours = true;
   int VirtualSlices = AUTOMATIC_VIRTUAL_SLICES;
   double VirtualSliceSpacing = 0.0;
-  bool FollowField = false;
+  bool FollowField = true;
   int EndCaps = DOME_ENDS;
   bool ComputeNormals = true;
   bool ComputeCurvatures = false;

@@ -12,6 +12,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -115,6 +116,8 @@ int vtkOrthogonalSlicer::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
   return 1;
 }
 
@@ -147,10 +150,10 @@ int vtkOrthogonalSlicer::RequestData(
   {
     return 1; // the first process has all contours
   }
-  vtkImageData* image = vtkImageData::GetData(inputs[0]);
-  vtkPolyData* surface = vtkPolyData::GetData(inputs[0]);
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
+  vtkImageData* image = vtkImageData::SafeDownCast(input);
   const bool done = image ? this->SliceImage(image, inputs, outputs)
-                          : surface && this->SliceSurface(surface, outputs);
+                          : input && this->SliceSurface(SurfaceOf(input), outputs);
   if (!done || this->GetAbortExecute())
   {
     for (int port = 0; port < 3; ++port)

@@ -9,20 +9,22 @@
  * on three families of parallel planes, each orthogonal to one coordinate axis; of an image with a
  * direction matrix, orthogonal to one axis of the image.
  *
- * @section Inputs Inputs
+ * @section SlicerInputs Inputs
  * Port 0, one of
  *  - vtkPolyData: a closed surface of triangles, polygons or strips (other cells are ignored).
  *    Every edge must have exactly two triangles that pass it in opposite directions. Points with
  *    identical coordinates count as one where the surface would be open otherwise (as at the
  *    creases of vtkCubeSource). A surface that encloses a negative volume is taken for one that is
  *    oriented inwards, and reversed as a whole.
+ *  - vtkUnstructuredGrid, vtkStructuredGrid: a mesh of solid cells. The faces that only one cell has
+ *    are its surface, for which the same holds.
  *  - vtkImageData: scalars on points, chosen with SetInputArrayToProcess() (default: the active
  *    point scalars; of several components the first). It may have any direction matrix that is
  *    not singular: see below. A scalar that is not a number is outside. Blanking is ignored.
  *
  * In parallel runs the first process slices the whole input and the others' outputs are empty.
  *
- * @section Outputs Outputs
+ * @section SlicerOutputs Outputs
  * Ports 0, 1 and 2 (vtkPolyData): the contours on planes of constant x, y and z. Each contour is a
  * closed polyline whose last point id is its first. Seen from the positive end of the axis the
  * interior lies on the left: outer boundaries run counter-clockwise, holes clockwise. The points'
@@ -42,7 +44,7 @@
  * count once. With float output (OutputPointsPrecision) the planes are rounded to float first and
  * the cut is made there.
  *
- * @section Guarantees Guarantees
+ * @section SlicerGuarantees Guarantees
  * The rule that a point is above a plane when its coordinate is at least the plane's leaves no
  * singular positions: a surface that touches a plane or lies in it is cut as infinitesimally below
  * the plane.
@@ -76,7 +78,7 @@
  * is farthest from its coordinate axis runs the other way. vtkOrthogonalSliceReconstruction finds such
  * planes from the contours.
  *
- * @section Errors Errors
+ * @section SlicerErrors Errors
  * With an error message and empty outputs: a surface that is open, has an edge with more than two
  * triangles or inconsistently oriented triangles (the first such edge is named with its
  * coordinates), points that are not finite, an image without point scalars or with a singular direction
@@ -99,10 +101,14 @@ class vtkImageData;
 class VTKFILTERSORTHOGONALSLICES_EXPORT vtkOrthogonalSlicer : public vtkPolyDataAlgorithm
 {
 public:
+  ///@{
+  /// As in every class of VTK.
   static vtkOrthogonalSlicer* New();
   vtkTypeMacro(vtkOrthogonalSlicer, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  ///@}
 
+  /// Values of SetPlaneMode().
   enum PlaneModes
   {
     BY_NUMBER = 0,
@@ -228,9 +234,12 @@ protected:
   vtkOrthogonalSlicer();
   ~vtkOrthogonalSlicer() override = default;
 
+  ///@{
+  /// What the pipeline of VTK calls.
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  ///@}
 
 private:
   vtkOrthogonalSlicer(const vtkOrthogonalSlicer&) = delete;

@@ -11,6 +11,7 @@
 #include "Support/CheckLabels.h"
 #include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
+#include "Support/LabelImages.h"
 #include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkCellData.h"
@@ -33,30 +34,13 @@ using namespace orthoslices::support;
 
 namespace
 {
-/// A ball in an image, divided among places by which of them is nearest: what lies around each is a label,
-/// 1 and up, and all together are convex.
-vtkSmartPointer<vtkImageData> DividedBall(int size, const std::vector<Point3>& places)
+vtkSmartPointer<vtkImageData> ToVtk(const LabelImage& labels)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(size, size, size);
+  image->SetDimensions(labels.Size, labels.Size, labels.Size);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  const double middle = 0.5 * (size - 1), radius = 0.4 * size;
-  for (int k = 0; k < size; ++k)
-  {
-    for (int j = 0; j < size; ++j)
-    {
-      for (int i = 0; i < size; ++i)
-      {
-        const Point3 p{ (i - middle) / radius, (j - middle) / radius, (k - middle) / radius };
-        const auto distance = [&](const Point3& q)
-        { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); };
-        const auto nearest = std::min_element(places.begin(), places.end(),
-          [&](const Point3& a, const Point3& b) { return distance(a) < distance(b); });
-        const double label = distance({ 0, 0, 0 }) < 1.0 ? 1.0 + (nearest - places.begin()) : 0.0;
-        image->SetScalarComponentFromDouble(i, j, k, 0, label);
-      }
-    }
-  }
+  std::copy(labels.Labels.begin(), labels.Labels.end(),
+    static_cast<std::uint8_t*>(image->GetScalarPointer()));
   return image;
 }
 
@@ -118,11 +102,12 @@ struct Borders
   double Volume, Overlap, Gap;
 };
 
-/// A ball of an image, cut into so many slices on each axis, 0 for none, and reconstructed.
-Borders Reconstruct(const std::vector<Point3>& places, const std::array<int, 3>& slices)
+/// An image, cut into so many slices on each axis, 0 for none, and reconstructed.
+Borders Reconstruct(const LabelImage& image, const std::array<int, 3>& slices,
+  std::vector<std::string>* warnings = nullptr)
 {
   vtkNew<vtkOrthogonalSlicer> slicer;
-  slicer->SetInputData(DividedBall(48, places));
+  slicer->SetInputData(ToVtk(image));
   slicer->EveryLabelOn();
   slicer->SetNumberOfSlices(std::max(1, slices[0]), std::max(1, slices[1]), std::max(1, slices[2]));
   FilterRun run;
@@ -136,7 +121,21 @@ Borders Reconstruct(const std::vector<Point3>& places, const std::array<int, 3>&
   run.Filter->SetLabelArray("Label");
   vtkPolyData* surface = run.Update();
   EXPECT_TRUE(run.Errors.empty());
+  if (warnings != nullptr)
+  {
+    *warnings = run.Warnings;
+  }
   return Borders(surface);
+}
+
+/// 1 for all labels of an image.
+LabelImage WholeOf(LabelImage image)
+{
+  for (std::uint8_t& label : image.Labels)
+  {
+    label = label > 0 ? 1 : 0;
+  }
+  return image;
 }
 }
 
@@ -144,7 +143,7 @@ TEST(LabelBorders, DoNotCrossInDenseSlices)
 {
   for (const std::vector<Point3>* places : { &Three(), &Five() })
   {
-    const Borders borders = Reconstruct(*places, { 16, 16, 16 });
+    const Borders borders = Reconstruct(DivideBall(*places), { 16, 16, 16 });
     EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
     EXPECT_EQ(borders.Count, places->size());
     EXPECT_EQ(borders.Crossings, 0);
@@ -155,7 +154,7 @@ TEST(LabelBorders, DoNotCrossInDenseSlices)
 
 TEST(LabelBorders, DoNotCrossInOneStack)
 {
-  const Borders borders = Reconstruct(Three(), { 0, 0, 16 });
+  const Borders borders = Reconstruct(DivideBall(Three()), { 0, 0, 16 });
   EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
   EXPECT_EQ(borders.Count, 3u);
   EXPECT_EQ(borders.Crossings, 0);
@@ -163,21 +162,88 @@ TEST(LabelBorders, DoNotCrossInOneStack)
   EXPECT_LT(borders.Gap, 0.002);
 }
 
-/// With two families, and where many labels meet in points, a few cells are left in sparse slices.
-TEST(LabelBorders, HardlyCrossInOtherSparseSlices)
+/// Nor where many labels meet, in few slices, along one axis or two.
+TEST(LabelBorders, DoNotCrossInOtherSparseSlices)
 {
   const std::pair<std::vector<Point3>, std::array<int, 3>> cases[] = { { Three(), { 16, 0, 16 } },
-    { Five(), { 0, 0, 16 } }, { Five(), { 16, 16, 0 } } };
+    { Five(), { 0, 0, 16 } }, { Five(), { 16, 16, 0 } }, { Five(), { 3, 3, 16 } } };
   for (const auto& [places, slices] : cases)
   {
-    const Borders borders = Reconstruct(places, slices);
+    const Borders borders = Reconstruct(DivideBall(places), slices);
     EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
     EXPECT_EQ(borders.Count, places.size());
-    EXPECT_LT(borders.Crossings, 50); // thousands, if each label is reconstructed by itself
+    EXPECT_EQ(borders.Crossings, 0);
     EXPECT_LT(borders.Overlap, 1e-4);
     EXPECT_LT(borders.Gap, 0.002);
   }
 }
+
+/// All labels together fill what they would fill as one label: nothing is missing where three of them meet on
+/// the outside, and nothing between a thin shell and the labels on both sides of it.
+TEST(LabelBorders, LeaveNothingOut)
+{
+  for (const LabelImage& image :
+    { MakeLabelImage(LabelKind::Box, 8, 1), MakeLabelImage(LabelKind::Nested, 12, 2) })
+  {
+    const double whole = Reconstruct(WholeOf(image), { 16, 16, 16 }).Check.TotalVolume();
+    const double sum = Reconstruct(image, { 16, 16, 16 }).Check.TotalVolume();
+    EXPECT_NEAR(sum, whole, 2e-4 * whole);
+  }
+}
+
+/// Where a label falls into more parts because of its neighbours, a warning says so.
+TEST(LabelBorders, PartsThatAreSeparatedAreCounted)
+{
+  std::vector<std::string> warnings;
+  Reconstruct(MakeLabelImage(LabelKind::Nested, 12, 2), { 16, 16, 16 }, &warnings);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("Label 10: Other labels are so close"), std::string::npos)
+    << warnings[0];
+}
+
+namespace
+{
+/// Images of other kinds: eight labels in a box, by wavy borders, in blocks, in one another; thin layers; and
+/// stairs.
+LabelImage ImageOfKind(int kind)
+{
+  switch (kind)
+  {
+    case 0:
+      return MakeLabelImage(LabelKind::Box, 8, 1);
+    case 1:
+      return MakeLabelImage(LabelKind::Wavy, 8, 1);
+    case 2:
+      return MakeLabelImage(LabelKind::Corners, 8, 1);
+    case 3:
+      return MakeLabelImage(LabelKind::Nested, 8, 1);
+    case 4:
+      return MakeLabelImage(LabelKind::Layers, 3, 1);
+    default:
+      return Coarsen(MakeLabelImage(LabelKind::Ball, 5, 3), 4);
+  }
+}
+
+class LabelBordersOfKind : public ::testing::TestWithParam<int>
+{
+};
+}
+
+TEST_P(LabelBordersOfKind, DoNotCross)
+{
+  const LabelImage image = ImageOfKind(GetParam());
+  const std::array<int, 3> slices[] = { { 0, 0, 16 }, { 16, 0, 16 }, { 4, 4, 4 }, { 16, 16, 16 } };
+  for (const std::array<int, 3>& counts : slices)
+  {
+    SCOPED_TRACE(std::to_string(counts[0]) + ", " + std::to_string(counts[1]) + ", " +
+      std::to_string(counts[2]));
+    const Borders borders = Reconstruct(image, counts);
+    EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
+    EXPECT_EQ(borders.Crossings, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, LabelBordersOfKind, ::testing::Range(0, 6));
 
 namespace
 {

@@ -7,10 +7,10 @@
  */
 
 #include "Support/CheckSurface.h"
-#include "Support/Vtk/DataSets.h"
 #include "Support/FilterRun.h"
 #include "Support/Perturbations.h"
 #include "Support/SliceSolid.h"
+#include "Support/Vtk/DataSets.h"
 #include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkCellArray.h"
@@ -45,7 +45,7 @@ std::vector<NamedSets> Cases()
   for (const Solid& solid : { TiltedTorus(), LinkedTori(), HollowBall(), BranchingTube() })
   {
     cases.push_back(
-      { solid.Name, SliceSolid(solid, EqualPlanes(solid, { 9, 11, 12 }), 3, InPlaneGrid::Free) });
+      { solid.Name, SliceSolid(solid, EqualPlanes(solid, { 13, 14, 16 }), 3, InPlaneGrid::Free) });
   }
   cases.push_back({ "heart", ReadPieceSets({ "heart", 1, 1, true }, 16) });
   cases.push_back({ "lbl_lumbar3", ReadPieceSets({ "lbl_lumbar3", 1, 1, false }, 16) });
@@ -62,12 +62,8 @@ void VisitCases(Visit&& visit)
   }
 }
 
-/// Surface in double precision.
-vtkSmartPointer<vtkPolyData> Surface(const PieceSets& sets, Form form = Form::ClosedLine,
-  int type = VTK_DOUBLE, int patchType = vtkOrthogonalSliceReconstruction::SMOOTH)
+vtkSmartPointer<vtkPolyData> UpdateInDouble(FilterRun& run)
 {
-  FilterRun run(sets, form, type);
-  run.Filter->SetPatchType(patchType);
   run.Filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   vtkSmartPointer<vtkPolyData> surface = run.Update();
   EXPECT_TRUE(run.Errors.empty()) << run.Errors[0];
@@ -75,11 +71,22 @@ vtkSmartPointer<vtkPolyData> Surface(const PieceSets& sets, Form form = Form::Cl
   return surface;
 }
 
-/// Fans depend on nothing but the contours: not on which axis is the first one, nor on left and
-/// right.
+/// Surface in double precision.
+vtkSmartPointer<vtkPolyData> Surface(
+  const PieceSets& sets, Form form = Form::ClosedLine, int type = VTK_DOUBLE)
+{
+  FilterRun run(sets, form, type);
+  return UpdateInDouble(run);
+}
+
+/// Fans between the slices that there are depend on nothing but the contours: not on which axis is the
+/// first one, nor on left and right.
 vtkSmartPointer<vtkPolyData> SurfaceOfFans(const PieceSets& sets)
 {
-  return Surface(sets, Form::ClosedLine, VTK_DOUBLE, vtkOrthogonalSliceReconstruction::FAN);
+  FilterRun run(sets, Form::ClosedLine, VTK_DOUBLE);
+  run.Filter->SetPatchTypeToFan();
+  run.Filter->SetVirtualSlicesToOff();
+  return UpdateInDouble(run);
 }
 
 /// Smooth patches have the same shape with other triangles.

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOrthogonalSlicer.h"
 
+#include "vtkAppendFilter.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
+#include "vtkDelaunay3D.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -22,6 +24,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
@@ -752,6 +756,56 @@ TEST(OrthogonalSlicer, CellDataIsAnErrorThatSaysSo)
   EXPECT_NE(ErrorsOf(slicer).find("cell data"), std::string::npos);
   slicer->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "values");
   EXPECT_NE(ErrorsOf(slicer).find("not on the image's points"), std::string::npos);
+}
+
+//----------------------------------------------------------------------------
+TEST(OrthogonalSlicer, SolidCellsAreSlicedAsTheirSurface)
+{
+  // 4 x 3 x 3 voxels without one inside: a box with a cavity.
+  vtkNew<vtkImageData> box;
+  box->SetDimensions(5, 4, 4);
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(box);
+  append->Update();
+  vtkNew<vtkUnstructuredGrid> cells;
+  cells->SetPoints(append->GetOutput()->GetPoints());
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < append->GetOutput()->GetNumberOfCells(); ++cell)
+  {
+    append->GetOutput()->GetCellPoints(cell, ids);
+    if (cell != 1 + 4 * (1 + 3 * 1))
+    {
+      cells->InsertNextCell(VTK_VOXEL, ids);
+    }
+  }
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetNumberOfSlices(4, 3, 3);
+  slicer->SetInputData(cells);
+  slicer->Update();
+  const double volumes[3] = { 4 * 9.0 - 1.0, 3 * 12.0 - 1.0, 3 * 12.0 - 1.0 };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ExpectValidSlices(slicer->GetOutput(axis), axis);
+    EXPECT_NEAR(TotalArea(slicer->GetOutput(axis), axis), volumes[axis], 1e-4);
+  }
+  EXPECT_EQ(slicer->GetOutput(0)->GetNumberOfCells(), 5); // one slice has a hole
+
+  vtkNew<vtkStructuredGrid> grid;
+  grid->SetDimensions(5, 4, 4);
+  grid->SetPoints(cells->GetPoints());
+  slicer->SetInputData(grid);
+  slicer->Update();
+  EXPECT_NEAR(TotalArea(slicer->GetOutput(2), 2), 3 * 12.0, 1e-4);
+
+  // Tetrahedra in a ball; cells without a volume have no surface.
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkDelaunay3D> tetrahedra;
+  tetrahedra->SetInputConnection(sphere->GetOutputPort());
+  slicer->SetInputConnection(tetrahedra->GetOutputPort());
+  slicer->Update();
+  EXPECT_EQ(slicer->GetOutput(1)->GetNumberOfCells(), 3);
+  slicer->SetInputData(vtkNew<vtkUnstructuredGrid>());
+  EXPECT_NE(ErrorsOf(slicer).find("no triangles"), std::string::npos);
 }
 
 //----------------------------------------------------------------------------

@@ -382,6 +382,10 @@ TEST(ReconstructionFilter, ConnectsFamiliesByNumber)
     run.Filter->SetFamilyConnection(family, nullptr);
     EXPECT_EQ(run.Filter->GetTotalNumberOfInputConnections(), 0);
   }
+  run.Filter->SetContoursConnection(producer->GetOutputPort());
+  EXPECT_EQ(run.Filter->GetInputConnection(3, 0), producer->GetOutputPort());
+  run.Filter->SetContoursConnection(nullptr);
+  EXPECT_EQ(run.Filter->GetTotalNumberOfInputConnections(), 0);
   EXPECT_TRUE(run.Errors.empty());
   for (const int family : { -1, 0, 5 })
   {
@@ -733,7 +737,7 @@ TEST(ReconstructionFilter, ComponentIdsAreTheComponents)
 TEST(ReconstructionFilter, GridCellsHoldTheirTriangles)
 {
   const Solid solid = TiltedTorus();
-  const PlaneSets planes = EqualPlanes(solid, { 9, 10, 11 });
+  const PlaneSets planes = EqualPlanes(solid, { 13, 14, 16 });
   FilterRun run(SliceSolid(solid, planes, 3, InPlaneGrid::Free));
   vtkPolyData* surface = run.Update();
   vtkDataArray* cells = surface->GetCellData()->GetArray("GridCell");

@@ -74,8 +74,9 @@ with_plain_vtk()
 
 test_all()
 {
-  # clang with its runtime libraries, among them libFuzzer.
-  install_dependencies clang libclang-rt-14-dev
+  # clang with its runtime libraries, among them libFuzzer; what packages for Debian and for Python are
+  # made with, and the reference.
+  install_dependencies clang libclang-rt-14-dev dpkg-dev file python3-venv doxygen
   configure_folder build/core -DORTHOGONAL_SLICES_CORE_ONLY=ON
   # What needs one processor goes beside the compilation of the core.
   prepare_others > build/prepare.log 2>&1 &
@@ -100,8 +101,9 @@ prepare_others()
   local core="-DORTHOGONAL_SLICES_CORE_BUILD=$PWD/build/core"
   unpack_vtk "$vtk"
   configure_preset fuzz -DORTHOGONAL_SLICES_TEST_PREFIX=fuzz.
+  # /usr is where its packages for Debian are installed.
   configure_folder build/paraview "$core" -DORTHOGONAL_SLICES_TEST_PREFIX=paraview. \
-    -DORTHOGONAL_SLICES_TEST_INTERFACE_ONLY=ON
+    -DORTHOGONAL_SLICES_TEST_INTERFACE_ONLY=ON -DCMAKE_INSTALL_PREFIX=/usr
   with_plain_vtk configure_folder build/vtk "$core" -DORTHOGONAL_SLICES_TEST_PREFIX=vtk. \
     "-DVTK_DIR=$vtk_dir"
 }

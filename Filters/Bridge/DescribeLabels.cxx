@@ -20,4 +20,24 @@ std::string DescribeOverlaps(const std::vector<LabelOverlap>& overlaps, const Co
   }
   return text.str();
 }
+
+std::string DescribeLosses(const std::vector<LabelLoss>& losses, const ContourLabels& labels)
+{
+  std::ostringstream text;
+  for (const LabelLoss& loss : losses)
+  {
+    text << "\nLabel " << labels.NameOf(loss.Label) << ":";
+    if (loss.Contours > 0)
+    {
+      text << " " << loss.Contours
+           << " contours are too thin beside those of other labels, and are left out.";
+    }
+    if (loss.Parts > 0)
+    {
+      text << " Other labels are so close that its surface has " << loss.Parts
+           << " parts more than without them.";
+    }
+  }
+  return text.str();
+}
 }

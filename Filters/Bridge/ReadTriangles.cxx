@@ -4,9 +4,9 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkDataSetSurfaceFilter.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkTriangleFilter.h"
 
 #include <algorithm>
@@ -20,6 +20,20 @@ bool HasTrianglesOnly(vtkPolyData* input)
 {
   return input->GetNumberOfStrips() == 0 && input->GetPolys()->GetMaxCellSize() <= 3;
 }
+}
+
+vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataSet* input)
+{
+  if (auto* surface = vtkPolyData::SafeDownCast(input))
+  {
+    return surface;
+  }
+  auto copy = vtk::TakeSmartPointer(input->NewInstance()); // without the caller's pipeline
+  copy->ShallowCopy(input);
+  vtkNew<vtkDataSetSurfaceFilter> faces;
+  faces->SetInputData(copy);
+  faces->Update();
+  return faces->GetOutput();
 }
 
 TriangleSurface ReadTriangles(vtkPolyData* input)

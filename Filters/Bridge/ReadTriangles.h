@@ -5,12 +5,18 @@
 
 #include "Core/Slicing/SliceSurface.h"
 
+#include "vtkSmartPointer.h"
+
 #include <array>
 
+class vtkDataSet;
 class vtkPolyData;
 
 namespace orthoslices
 {
+/// A surface as it is; of a mesh of solid cells the faces that only one cell has.
+vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataSet* input);
+
 /// Points and triangles of a surface; polygons and strips are triangulated, vertices and lines left
 /// out. Points keep their numbers, used or not. REQUIRES: numbers of points that fit into Index.
 TriangleSurface ReadTriangles(vtkPolyData* input);

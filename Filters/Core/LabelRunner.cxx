@@ -217,7 +217,9 @@ void LabelRunner::SettleCells()
   {
     if (pass.IsRead)
     {
+      const Index before = pass.Stages.Result.Topology.Components;
       CountComponents(pass.Stages.Result);
+      pass.Separated = std::max<Index>(0, pass.Stages.Result.Topology.Components - before);
     }
   }
 }
@@ -258,9 +260,10 @@ bool LabelRunner::Run()
   return true;
 }
 
-std::vector<LabelOverlap> LabelRunner::FindOverlaps() const
+/// The labels of the structures that were compared.
+std::vector<Index> LabelRunner::ListRead() const
 {
-  std::vector<Index> labels; // of the structures that were compared
+  std::vector<Index> labels;
   for (std::size_t i = 0; i < this->Passes.size(); ++i)
   {
     if (this->Passes[i].IsRead)
@@ -268,6 +271,27 @@ std::vector<LabelOverlap> LabelRunner::FindOverlaps() const
       labels.push_back(static_cast<Index>(i));
     }
   }
+  return labels;
+}
+
+std::vector<LabelLoss> LabelRunner::FindLosses() const
+{
+  const std::vector<Index> labels = this->ListRead();
+  std::vector<LabelLoss> losses;
+  for (std::size_t i = 0; i < this->Borders.Vanished.size(); ++i)
+  {
+    const LabelLoss loss{ labels[i], this->Borders.Vanished[i], this->Passes[labels[i]].Separated };
+    if (loss.Contours > 0 || loss.Parts > 0)
+    {
+      losses.push_back(loss);
+    }
+  }
+  return losses;
+}
+
+std::vector<LabelOverlap> LabelRunner::FindOverlaps() const
+{
+  const std::vector<Index> labels = this->ListRead();
   std::vector<LabelOverlap> overlaps;
   for (const auto& [pair, area] : this->Borders.Areas.OfPair)
   {

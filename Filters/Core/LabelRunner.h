@@ -46,6 +46,7 @@ struct LabelPass
   StageObserver Observe;
   Pass Stages;
   bool IsRead = false; ///< not refused, and there are contours
+  Index Separated = 0; ///< components more than before common cells were settled
   std::unique_ptr<SparseStructure> Sparse;
 
 private:
@@ -63,6 +64,7 @@ public:
   bool Run();
   std::vector<Reconstruction> TakeResults();
   std::vector<LabelOverlap> FindOverlaps() const;
+  std::vector<LabelLoss> FindLosses() const;
   CommonCellCounts Counts;
 
 private:
@@ -76,9 +78,11 @@ private:
   bool MakeSparse(const SliceDensity& density);
   bool FinishSparse(const std::vector<LabelPass*>& passes);
   LabelPass& AddUnion();
+  void MoveOffVertices(const SpatialGrid& grid, VirtualPlanes& planes) const;
   VirtualPlanes PlanesFor(const SpatialGrid& grid, const VirtualPlanes& common) const;
   void ShareVirtual(const std::vector<LabelPass*>& passes, bool withUnion);
   void SettleCells();
+  std::vector<Index> ListRead() const;
   double Thickness() const;
   /// Points as they are in contours that were rounded to multiples of a quantum, if it is not 0.
   static std::set<Point3> RoundAll(const std::set<Point3>& points, double quantum);

@@ -58,7 +58,7 @@ struct Options
   bool SinglePrecision = false;     ///< the result will be stored as float
   double Quantum = 0.0;      ///< see SpatialGrid; 0: coordinates are not rounded on its account
   AxisFrame Metric;          ///< see SpatialGrid
-  bool FollowField = false;     ///< through a few slices; see MakeSparseSurface
+  bool FollowField = true;     ///< through a few slices; see MakeSparseSurface
   bool InsertMissing = true; ///< contours that slices lack; see FindMissingContours
   AxisWeights Weights{ 1.0, 1.0, 1.0 };
   CentralPointMethod Central = CentralPointMethod::LeastSquares;

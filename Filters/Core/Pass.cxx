@@ -8,14 +8,22 @@
 #include "Core/Slices/EndSlices.h"
 #include "Core/Sparse/SelectContours.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <utility>
 
 namespace orthoslices
 {
 Pass::Pass(const Pass& first, Contours&& contours)
-  : Pass(first.Settings, first.Execute, first.Observe)
+  : Pass(first, std::move(contours), first.Execute)
+{
+  this->Furthest = first.Furthest;
+}
+
+Pass::Pass(const Pass& first, Contours&& contours, const Execution& execution)
+  : Pass(first.Settings, execution, first.Observe)
 {
   this->Tables.Tolerance = first.Tables.Tolerance;
   this->Tables.Border = first.Tables.Border;
@@ -54,7 +62,9 @@ void Pass::Finish(Stage stage) const
 
 bool Pass::GoOn(double progress)
 {
-  this->Result.Stopped = !this->Execute.Continue(this->From + (this->To - this->From) * progress);
+  double& furthest = *this->Furthest;
+  furthest = std::max(furthest, this->From + (this->To - this->From) * progress);
+  this->Result.Stopped = !this->Execute.Continue(furthest);
   return !this->Result.Stopped;
 }
 

@@ -8,6 +8,7 @@
 #include "Core/Reconstruction.h"
 #include "Core/Stage.h"
 
+#include <memory>
 #include <vector>
 
 namespace orthoslices
@@ -30,12 +31,15 @@ public:
   /// A pass over other contours of the same input: what the report says of the input is what the
   /// first pass found.
   Pass(const Pass& first, Contours&& contours);
+  /// The same, run otherwise: such as one that is a part of another's progress.
+  Pass(const Pass& first, Contours&& contours, const Execution& execution);
 
   /// Is called after each stage: shows the tables to the observer, and checks them if the build has
   /// invariants checked.
   void Finish(Stage stage) const;
 
-  /// Names the share of this part's work that is done, and asks whether to go on. False: stop.
+  /// Names the share of this part's work that is done, and asks whether to go on. False: stop. Progress
+  /// never goes back: after an attempt that failed it stays until the next one has come as far.
   bool GoOn(double progress);
 
   /// Where the part that comes next begins and ends in the progress of the whole, 0 to 1.
@@ -77,6 +81,7 @@ private:
   const std::array<std::vector<double>, 3>* OtherPlanes = nullptr;
   bool OwnsVirtual = false;    ///< slices were added by this pass: else another one made the report
   double From = 0.0, To = 1.0; ///< progress of the whole at 0 and 1 of the part at work
+  std::shared_ptr<double> Furthest = std::make_shared<double>(0.0); ///< progress of all passes
 };
 }
 

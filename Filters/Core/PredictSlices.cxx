@@ -74,19 +74,25 @@ std::vector<WorldLoop> ListLoops(const Contours& drawn, const Pass& pass)
   {
     AppendGuides(*pass.Settings.Guides, pass.Settings.Metric, loops);
   }
+  SortLoops(loops);
   return loops;
 }
 
-double ComparePredictions(
-  const Contours& drawn, const Pass& first, double step, const Sketcher& sketch)
+double ComparePredictions(const Contours& drawn, Pass& first, double step, const Sketcher& sketch)
 {
   double byPatches = 0.0, byField = 0.0;
-  for (const SliceName& slice : ChooseSlices(first.Result.Grid))
+  const std::vector<SliceName> slices = ChooseSlices(first.Result.Grid);
+  std::size_t done = 0;
+  Execution part = first.Execute;
+  part.Continue = [&](double progress)
+  { return first.GoOn((static_cast<double>(done) + progress) / slices.size()); };
+  for (; done < slices.size(); ++done)
   {
+    const SliceName& slice = slices[done];
     const Contours others = SelectSlice(drawn, slice, false);
     // Half as many samples cost an eighth of the time, and are as good for that.
     const SliceField field(SampleLoops(ListLoops(others, first), 2.0 * step), first.Execute);
-    Pass pass(first, Contours(others));
+    Pass pass(first, Contours(others), part);
     if (!field.IsSolved())
     {
       continue;
@@ -102,7 +108,8 @@ double ComparePredictions(
     {
       point = metric.ToWorld(point);
     }
-    const std::vector<WorldLoop> left = MapToWorld(SelectSlice(drawn, slice, true), metric);
+    std::vector<WorldLoop> left = MapToWorld(SelectSlice(drawn, slice, true), metric);
+    SortLoops(left);
     for (const ContourSample& sample : SampleLoops(left, 2.0 * step))
     {
       byPatches += DistanceFrom(surface, sample.Position);

@@ -23,10 +23,11 @@ using Sketcher = std::function<bool(Pass& pass)>;
  * A field bends evenly, as organic shapes do; of edges, level ends and straight walls it knows
  * nothing, and then patches foretell slices far better.
  *
- * `step`: between samples, see SampleStep. 0 if stopped, and if nothing can be left out.
+ * `step`: between samples, see SampleStep. 0 if stopped, and if nothing can be left out. Is all of the part that `first` is at
+ * in its progress.
  */
 double ComparePredictions(
-  const Contours& drawn, const Pass& first, double step, const Sketcher& sketch);
+  const Contours& drawn, Pass& first, double step, const Sketcher& sketch);
 
 /// The contours of a pass in the world, and those on planes of no family.
 std::vector<WorldLoop> ListLoops(const Contours& drawn, const Pass& pass);

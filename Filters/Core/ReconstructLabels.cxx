@@ -21,6 +21,7 @@ LabelSurfaces ReconstructLabels(
   surfaces.OfLabel = runner.TakeResults();
   surfaces.Cells = runner.Counts;
   surfaces.Overlaps = runner.FindOverlaps();
+  surfaces.Losses = runner.FindLosses();
   for (std::size_t i = 0; i < labels.size(); ++i)
   {
     ReturnToWorld(std::move(labels[i]), surfaces.OfLabel[i]);

@@ -17,12 +17,21 @@ struct LabelOverlap
   double Share; ///< of the area of the smaller one, on all slices together
 };
 
+/// What a label has lost where others are close.
+struct LabelLoss
+{
+  Index Label;
+  Index Contours; ///< that are thinner than what counts as a gap between labels, and are left out
+  Index Parts;    ///< of its surface that hang together without the other labels, but not with them
+};
+
 /// The surfaces of several structures.
 struct LabelSurfaces
 {
   std::vector<Reconstruction> OfLabel; ///< one for each, of those of refused labels nothing
   CommonCellCounts Cells;
   std::vector<LabelOverlap> Overlaps; ///< the greatest one first
+  std::vector<LabelLoss> Losses;      ///< of labels that have any, ascending
   bool Stopped = false;               ///< Execution::Continue returned false
 };
 

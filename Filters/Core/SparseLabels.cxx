@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 /// The part of LabelRunner for slices that are sparse.
 namespace orthoslices
@@ -13,6 +14,51 @@ namespace
 /// How many times slices and labels are made to agree: what one of them changes, the other one has to
 /// follow.
 constexpr int RoundsOfAgreement = 2;
+
+/// How far a virtual plane is moved at most to get off the vertices of contours, in its distance to the
+/// next one.
+constexpr double LargestShift = 0.02;
+
+/// The coordinates along an axis of all vertices of contours, each once.
+void AddCoordinates(const Contours& contours, int axis, std::set<double>& coordinates)
+{
+  for (Index i = 0; i < contours.Count(); ++i)
+  {
+    if (contours.Axis[i] != axis)
+    {
+      const std::vector<double>& of = FirstAxis(contours.Axis[i]) == axis ? contours.U : contours.V;
+      coordinates.insert(of.begin() + contours.Offsets[i], of.begin() + contours.Offsets[i + 1]);
+    }
+  }
+}
+}
+
+/**
+ * Moves virtual planes off the vertices of real contours. Where sides of contours lie on a plane, as those of
+ * stairs do, each label would leave it by the side that suits it, and borders would be common no more.
+ */
+void LabelRunner::MoveOffVertices(const SpatialGrid& grid, VirtualPlanes& planes) const
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::set<double> vertices;
+    for (const LabelPass& pass : this->Passes)
+    {
+      AddCoordinates(pass.Stages.Tables.Contours, axis, vertices);
+    }
+    std::set<double> all(this->Planes[axis].begin(), this->Planes[axis].end());
+    all.insert(planes[axis].begin(), planes[axis].end());
+    for (double& plane : planes[axis])
+    {
+      const auto next = all.upper_bound(plane);
+      const auto vertex = vertices.upper_bound(plane);
+      if (vertices.count(plane) > 0 && next != all.end() && vertex != vertices.end())
+      {
+        plane =
+          grid.Round(plane + std::min(0.5 * (*vertex - plane), LargestShift * (*next - plane)));
+      }
+    }
+  }
 }
 
 /// What all labels cover together, as one structure more.
@@ -67,7 +113,10 @@ void LabelRunner::ShareVirtual(const std::vector<LabelPass*>& passes, bool withU
     }
     allowed.insert(members);
   }
-  const SharedBorders shared = ShareBorders(this->Thickness(), allowed, this->Execute, contours);
+  // Once slices agree, nothing is moved any more where borders are close: that would move vertices off the
+  // places where real slices have them, and slices would be made to agree by other ways for each label.
+  const double thickness = withUnion ? this->Thickness() : 0.0;
+  const SharedBorders shared = ShareBorders(thickness, allowed, this->Execute, contours);
   const std::set<Point3> junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
   this->Junctions.insert(junctions.begin(), junctions.end());
 }
@@ -77,7 +126,8 @@ bool LabelRunner::MakeSparse(const SliceDensity& density)
 {
   LabelPass& all = this->AddUnion();
   const SpatialGrid& grid = all.Stages.Result.Grid;
-  const VirtualPlanes common = ChooseVirtualPlanes(grid, { grid.Lowest, grid.Highest }, density);
+  VirtualPlanes common = ChooseVirtualPlanes(grid, { grid.Lowest, grid.Highest }, density);
+  this->MoveOffVertices(grid, common);
   std::deque<VirtualPlanes> planes;
   std::vector<LabelPass*> passes{ &all };
   for (LabelPass& pass : this->Passes)

@@ -3,6 +3,7 @@
 #include "Core/SparseSurface.h"
 
 #include "Core/Base/EditContours.h"
+#include "Core/FieldTopology.h"
 #include "Core/MakeSurface.h"
 #include "Core/PredictSlices.h"
 #include "Core/RealSlices.h"
@@ -252,10 +253,16 @@ bool SparseRunner::SketchWithoutField(Pass& pass) const
   return SparseRunner(sparse, pass).Run();
 }
 
+Index MostSlices(const SpatialGrid& grid)
+{
+  return std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
+}
+
 /// Makes the surface anew, with virtual slices of a field through all contours. That decides what the
-/// contours leave open, but not against them: what the first surface joins stays joined, and tunnels come
-/// in only where slices agree, and if the field foretells them as well. False if what there is without
-/// a field foretells slices better, or leaves components out.
+/// contours leave open, but not against them: what the first surface joins stays joined, and tunnels
+/// come in only where slices agree, if the field foretells them as well, and if one of those that were
+/// left out lay between others. False if what there is without a field foretells slices better, or
+/// leaves components out.
 bool SparseRunner::FollowField()
 {
   constexpr double asGood = 0.95;
@@ -268,9 +275,11 @@ bool SparseRunner::FollowField()
   }
   const std::vector<WorldLoop> loops = ListLoops(this->Drawn, first);
   const double step = SampleStep(loops, this->Sparse.EdgeLength());
+  this->First.SetShare(0.5, 0.6);
   const double patchesByField = ComparePredictions(
-    this->Drawn, first, step, [this](Pass& pass) { return this->SketchWithoutField(pass); });
-  if (patchesByField < enough || !this->First.GoOn(0.5))
+    this->Drawn, this->First, step, [this](Pass& pass) { return this->SketchWithoutField(pass); });
+  this->First.SetShare(0.6, 0.66);
+  if (patchesByField < enough || !this->First.GoOn(0.0))
   {
     return false;
   }
@@ -280,16 +289,11 @@ bool SparseRunner::FollowField()
     return false;
   }
   const Contours added = CutField(field, first.Result.Grid, this->Sparse.Field, first.Execute);
-  const PriorKnowledge known{ first.Result.Topology.Components, -1 };
-  const Index genus = first.Result.Topology.Genus;
-  const bool doAgree = DoSlicesAgree(first.Result);
-  const auto isRight = [&](const SurfaceTopology& found)
-  {
-    return found.Components <= known.Components &&
-      (found.Genus <= genus || (doAgree && patchesByField >= asGood));
-  };
+  const bool mayAdd =
+    patchesByField >= asGood && DoSlicesAgree(first.Result) && MostSlices(first.Result.Grid) > 2;
+  const FieldTopology right(first, mayAdd);
   return this->First.GoOn(1.0) &&
-    this->RunAgain({ added, known, isRight, Everywhere(), ListGuiding(first.Settings) });
+    this->RunAgain({ added, right.Known(), right, Everywhere(), ListGuiding(first.Settings) });
 }
 
 bool SparseRunner::Run()

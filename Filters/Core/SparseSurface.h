@@ -30,8 +30,9 @@ struct SparseSlices
  * that goes on smoothly from one to the next, and from the real and these virtual slices the surface
  * is made once more.
  *
- * - A few slices of several families, with Options::FollowField: from a field through all contours, if it
- *   foretells slices about as well as what there is without it. It may not part what the first surface joins.
+ * - A few slices of several families, with Options::FollowField: from a field through all contours,
+ *   if it foretells slices about as well as what there is without it. It may not part what the first
+ *   surface joins.
  * - A dense family or two, the others missing or with a few slices: from the first surface, which is
  *   bent as little as it can. Of a stack with a few slices across, the surface of the stack alone is
  *   bent, through the contours of the slices across: how the object hangs together, the stack says

@@ -21,6 +21,8 @@ OUT, by its ending:
 
     --list                 say what is in the files, and reconstruct nothing (no OUT then)
     --contours FILE.vtp    write the contours, too, to look at
+    --names FILE           names and colors of labels: label descriptions of ITK-SNAP, or a color
+                           table of 3D Slicer
     --structure NAME       only this structure (may be given several times)
     --slices N             cut label images on at most N planes along each axis (default 64)
     --blur S               take the steps out of label images with a Gaussian of S samples, as 0.7
@@ -42,6 +44,7 @@ from vtkmodules.vtkFiltersCore import vtkMassProperties
 
 from Formats import LabelMaps, Surfaces, read_structures
 from Formats.Filter import reconstruct
+from Formats.LabelNames import name_structures, read_label_names
 from Formats.Structures import FormatError, merged
 
 
@@ -53,6 +56,7 @@ def parse(arguments):
     parser.add_argument("files", nargs="+")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--contours")
+    parser.add_argument("--names")
     parser.add_argument("--structure", action="append")
     parser.add_argument("--slices", type=int, default=64)
     parser.add_argument("--blur", type=float, default=0.0)
@@ -82,6 +86,8 @@ def properties_of(texts):
 def read_all(options):
     structures = merged(read_structures(path, options.voxel, options.slices, options.blur)
                         for path in options.files)
+    if options.names:
+        name_structures(structures, read_label_names(options.names))
     if options.structure:
         names = [structure.name for structure in structures]
         for name in options.structure:

@@ -13,6 +13,7 @@ from FormatChecks import BALL, OBLIQUE, ORIGIN, PERMUTED, SPACING
 from FormatChecks import FormatTest, loose_edges, points_of, volume_of
 from Formats import LabelMaps, read_structures
 from Formats.Filter import reconstruct
+from Formats.LabelNames import name_structures, read_label_names
 from Formats.Images import first_sample, make_image, samples_of, steps_of
 from Formats.Structures import FormatError
 
@@ -140,6 +141,23 @@ class LabelImages(FormatTest):
         for structure, i in zip(structures, (10, 14)):
             center = centroid(points_of(structure))
             numpy.testing.assert_allclose(center, ORIGIN + (i, 12, 10), atol=1e-3)
+
+    def test_names_and_colors_of_labels(self):
+        samples = files.ball_labels((20, 20, 20), (9, 10, 9), 6, 3)
+        files.write_mha(self.path("labels.mha"), samples, numpy.eye(3), numpy.zeros(3))
+        structure, = read_structures(self.path("labels.mha"))
+        self.assertEqual((structure.name, structure.color), ("label 3", None))
+        snap = self.write("labels.txt", "#####\n# ITK-SnAP Label Description File\n"
+                          '    0     0    0    0        0  0  0    "Clear Label"\n'
+                          '    3   200   30    7      0.5  1  1    "Left kidney, upper pole"\n')
+        slicer = self.write("labels.ctbl", "# Color table\n0 Background 0 0 0 0\n"
+                            "3 left_kidney 200 30 7 255\n")
+        for path, name in ((snap, "Left kidney, upper pole"), (slicer, "left kidney")):
+            name_structures([structure], read_label_names(path))
+            self.assertEqual((structure.name, structure.color), (name, (200, 30, 7)))
+        wrong = self.write("wrong.txt", "3 kidney\n")
+        with self.assertRaisesRegex(FormatError, "line 1: no label"):
+            read_label_names(wrong)
 
     def test_images_that_are_no_label_images_are_refused(self):
         path = self.path("flat.nrrd")

@@ -50,7 +50,7 @@ def check_defaults():
         "FrameNormals": [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
         "VirtualSlices": "Automatic",
         "VirtualSliceSpacing": 0.0,
-        "FollowField": 0,
+        "FollowField": 1,
         "EndCaps": "Dome",
         "PlaneTolerance": 1e-5,
         "PatchType": "Smooth",
@@ -80,7 +80,8 @@ def compare_defaults(proxy, expected):
 def check_documentation():
     """Each property says in the panel what it does, and its default or that it is required."""
     slicer = simple.OrthogonalSlicer(Input=sphere())
-    for proxy in (slicer, reconstruct_sliced(slicer)):
+    parallel = simple.ParallelSliceReconstruction(Input=simple.OutputPort(slicer, 2))
+    for proxy in (slicer, reconstruct_sliced(slicer), parallel):
         for name in proxy.ListProperties():
             text = proxy.GetProperty(name).SMProperty.GetDocumentation()
             text = text.GetDescription() if text else ""
@@ -143,7 +144,7 @@ def check_views():
     """Apply shows the surface in the view that is there, and opens none for the other outputs."""
     controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
     slicer = simple.OrthogonalSlicer(Input=sphere())
-    parallel = simple.ParallelSliceReconstruction(ZSlices=simple.OutputPort(slicer, 2))
+    parallel = simple.ParallelSliceReconstruction(Input=simple.OutputPort(slicer, 2))
     for proxy in (reconstruct_sliced(slicer), parallel):
         proxy.UpdatePipeline()
         for port in range(proxy.SMProxy.GetNumberOfOutputPorts()):
@@ -192,10 +193,37 @@ def check_one_input_for_all():
         check(has_frame == (source is turned), f"normals of the families: {has_frame}")
 
 
+def check_solid_cells():
+    """A mesh of solid cells is sliced as its surface is."""
+    box = simple.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
+    volume = simple.Tetrahedralize(Input=box)
+    slicer = simple.OrthogonalSlicer(Input=volume, NumberOfSlices=[8, 8, 8])
+    check_closed(fetch(reconstruct_sliced(slicer)), components=1)
+
+
+def check_composite():
+    """A group of models is sliced block by block, and its slices make one surface."""
+    balls = [sphere(), simple.Transform(Input=sphere())]
+    balls[1].Transform.Translate = [5.0, 0.0, 0.0]
+    group = simple.GroupDatasets(Input=balls)
+    slicer = simple.OrthogonalSlicer(Input=group, NumberOfSlices=[8, 8, 8])
+    for port in range(3):
+        contours = servermanager.Fetch(simple.OutputPort(slicer, port))
+        check(contours.IsA("vtkCompositeDataSet"), f"port {port} is a {contours.GetClassName()}")
+        check(contours.GetNumberOfCells() == 16, f"{contours.GetNumberOfCells()} contours")
+    rec = reconstruct_sliced(slicer)
+    check_closed(fetch(rec), components=2)
+    blocks = fetch(rec, 3).GetColumnByName("Block")
+    check(blocks is not None and len({blocks.GetValue(row) for row in range(48)}) == 2,
+          "the table of contours does not tell blocks apart")
+    parallel = simple.ParallelSliceReconstruction(Input=simple.OutputPort(slicer, 1))
+    check_closed(fetch(parallel), components=2)
+
+
 def check_parallel():
     """One family of slices, with the defaults and another criterion."""
     slicer = simple.OrthogonalSlicer(Input=sphere())
-    parallel = simple.ParallelSliceReconstruction(ZSlices=simple.OutputPort(slicer, 2))
+    parallel = simple.ParallelSliceReconstruction(Input=simple.OutputPort(slicer, 2))
     check_closed(fetch(parallel), components=1)
     compare_defaults(
         parallel, {"VirtualSlices": "Automatic", "VirtualSliceSpacing": 0.0, "EndCaps": "Dome"})
@@ -219,6 +247,49 @@ def check_parallel():
     check_closed(fetch(parallel), components=1)
     parallel.ExpectedComponents = 2
     check(field_value(fetch(parallel), "NumberOfUndecidedPlaces") >= 0, "no undecided places")
+
+
+def check_parallel_along_any_axis():
+    """One stack takes the active source, a first argument, and slices across any direction."""
+    slicer = simple.OrthogonalSlicer(Input=sphere(), NumberOfSlices=[12, 12, 12])
+    ports = [simple.OutputPort(slicer, port) for port in range(3)]
+    volumes = []
+    for port in ports:
+        simple.SetActiveSource(None if port is ports[2] else port)
+        parallel = simple.ParallelSliceReconstruction(*([port] if port is ports[2] else []))
+        check(parallel.Input is not None, "the active source is not taken")
+        surface = fetch(parallel)
+        check_closed(surface, components=1)
+        check(field_value(surface, "NumberOfContours") == 12, "other contours")
+        volumes.append(fetch(parallel, 7).GetColumnByName("Volume").GetValue(0))
+    for turn in ([0.0, 50.0, 0.0], [35.0, 45.0, 0.0]):
+        turned = simple.Transform(Input=simple.GroupDatasets(Input=[ports[2]]))
+        turned.Transform.Rotate = turn
+        parallel = simple.ParallelSliceReconstruction(Input=turned)
+        check_closed(fetch(parallel), components=1)
+        volumes.append(fetch(parallel, 7).GetColumnByName("Volume").GetValue(0))
+    check(max(volumes) / min(volumes) < 1.001, f"the stacks of a ball have the volumes {volumes}")
+
+
+def check_properties_of_parallel():
+    """It has the same properties, texts and defaults, but those that need a second family."""
+    slicer = simple.OrthogonalSlicer(Input=sphere())
+    parallel = simple.ParallelSliceReconstruction(Input=simple.OutputPort(slicer, 2))
+    rec = reconstruct_sliced(slicer)
+    own, others = (set(proxy.ListProperties()) for proxy in (parallel, rec))
+    check(own - others == {"Input"}, f"of its own: {own - others}")
+    families = {"XSlices", "YSlices", "ZSlices", "Contours", "CellArrayNames", "AxisWeights",
+                "ReportTolerance", "FollowField", "SeveralCycles", "MinimumIsolatedContourSize",
+                "ContourTolerance", "CentralPoint"}
+    check(others - own == families, f"it lacks {others - own - families}, has {families & own}")
+    for name in own & others - {"LabelArray"}:
+        values = [proxy.GetPropertyValue(name) for proxy in (parallel, rec)]
+        check(str(values[0]) == str(values[1]), f"{name} is {values}")
+        enums = [getattr(proxy.GetProperty(name), "Available", None) for proxy in (parallel, rec)]
+        check(enums[0] == enums[1], f"{name} offers {enums}")
+    smooth = fetch(parallel)
+    parallel.EdgeLength = 0.5
+    check(fetch(parallel).GetNumberOfCells() < smooth.GetNumberOfCells(), "no coarser triangles")
 
 
 def check_image():
@@ -275,7 +346,11 @@ def main(plugin, data):
     check_views()
     check_inputs_left_out()
     check_one_input_for_all()
+    check_composite()
+    check_solid_cells()
     check_parallel()
+    check_parallel_along_any_axis()
+    check_properties_of_parallel()
     check_image()
     check_labels()
     check_heart(data)

@@ -221,6 +221,31 @@ bool AreAllOnOneSide(const std::array<int, 3>& sides)
   return std::abs(sides[0] + sides[1] + sides[2]) == 3;
 }
 
+}
+
+bool Pierces(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t,
+  const std::array<bool, 3>& isCommon)
+{
+  const std::array<int, 3> sides = SidesOf(s, t);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const std::size_t j = (i + 1) % 3;
+    if (isCommon[i] || isCommon[j] || sides[i] * sides[j] >= 0)
+    {
+      continue;
+    }
+    const int side = ExactOrientation(s[i], s[j], t[0], t[1]);
+    if (side != 0 && ExactOrientation(s[i], s[j], t[1], t[2]) == side &&
+      ExactOrientation(s[i], s[j], t[2], t[0]) == side)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+namespace
+{
 /// Whether the closed segment and the closed triangle (with an area) have a point in common; with
 /// the sides of its plane on which the segment's ends lie.
 bool SegmentMeetsTriangle(const Point3& p, int sideP, const Point3& q, int sideQ, const Corners& t)
@@ -378,22 +403,7 @@ bool MeetingFinder::SidePierces(std::int64_t a, std::int64_t b) const
   const auto isCorner = [&](std::int64_t id)
   { return std::find(others.begin(), others.end(), id) != others.end(); };
   const Corners s = this->CornersOf(ids), t = this->CornersOf(others);
-  const std::array<int, 3> sides = SidesOf(s, t);
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const std::size_t j = (i + 1) % 3;
-    if (isCorner(ids[i]) || isCorner(ids[j]) || sides[i] * sides[j] >= 0)
-    {
-      continue;
-    }
-    const int side = ExactOrientation(s[i], s[j], t[0], t[1]);
-    if (side != 0 && ExactOrientation(s[i], s[j], t[1], t[2]) == side &&
-      ExactOrientation(s[i], s[j], t[2], t[0]) == side)
-    {
-      return true;
-    }
-  }
-  return false;
+  return Pierces(s, t, { isCorner(ids[0]), isCorner(ids[1]), isCorner(ids[2]) });
 }
 
 void MeetingFinder::VisitNeighbours(

@@ -56,6 +56,11 @@ int ExactTurn(const Point3& a, const Point3& b, const Point3& c, int axis);
 /// Whether the closed segments ab and cd have a point in common, seen along the axis, exactly.
 bool SegmentsMeet(const Point3& a, const Point3& b, const Point3& c, const Point3& d, int axis);
 
+/// Whether a side of a triangle passes from one side of another one to the other, through its inside,
+/// exactly. Corners that both have in common are marked; sides that begin or end there do not.
+bool Pierces(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t,
+  const std::array<bool, 3>& isCommon);
+
 } // namespace support
 } // namespace orthoslices
 

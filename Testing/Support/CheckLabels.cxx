@@ -26,29 +26,12 @@ std::vector<Corners> ListCorners(const TriangleMesh& mesh)
   return corners;
 }
 
-/// A side of s without a corner of t passes from one side of t to the other through its inside.
-bool Pierces(const Corners& s, const Corners& t)
+/// Corners are common if they are at the same place.
+bool PiercesWhereApart(const Corners& s, const Corners& t)
 {
   const auto isCorner = [&](const Point3& p)
   { return std::find(t.begin(), t.end(), p) != t.end(); };
-  std::array<int, 3> sides;
-  std::transform(s.begin(), s.end(), sides.begin(),
-    [&](const Point3& p) { return ExactOrientation(t[0], t[1], t[2], p); });
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    const std::size_t j = (i + 1) % 3;
-    if (sides[i] * sides[j] >= 0 || isCorner(s[i]) || isCorner(s[j]))
-    {
-      continue;
-    }
-    const int side = ExactOrientation(s[i], s[j], t[0], t[1]);
-    if (side != 0 && ExactOrientation(s[i], s[j], t[1], t[2]) == side &&
-      ExactOrientation(s[i], s[j], t[2], t[0]) == side)
-    {
-      return true;
-    }
-  }
-  return false;
+  return Pierces(s, t, { isCorner(s[0]), isCorner(s[1]), isCorner(s[2]) });
 }
 
 Box3 BoxAround(const Corners& corners)
@@ -126,9 +109,11 @@ std::int64_t CountLabelCrossings(const TriangleMesh& mesh, const std::vector<int
     {
       const bool mayCross =
         labels[*a] != labels[*b] && boxes[*a].Meets(boxes[*b], 0) && boxes[*a].Meets(boxes[*b], 2);
-      crossings +=
-        mayCross && (Pierces(corners[*a], corners[*b]) || Pierces(corners[*b], corners[*a])) ? 1
-                                                                                             : 0;
+      crossings += mayCross &&
+          (PiercesWhereApart(corners[*a], corners[*b]) ||
+            PiercesWhereApart(corners[*b], corners[*a]))
+        ? 1
+        : 0;
     }
   }
   return crossings;

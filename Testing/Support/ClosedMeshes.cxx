@@ -22,7 +22,7 @@ SurfaceMesh Plain(const PlainMesh& mesh)
   SurfaceMesh surface{ CornerTable(static_cast<Index>(points), mesh.Triangles), mesh.Points,
     std::vector<std::uint8_t>(points, 0), std::vector<std::uint8_t>(points, 0),
     std::vector<Index>(mesh.Triangles.size(), 0), {}, AxisFrame(), -1,
-    std::vector<double>(points, 1.0) };
+    std::vector<Point3>(points, SurfaceMesh::Unstretched) };
   return surface;
 }
 

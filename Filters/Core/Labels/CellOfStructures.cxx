@@ -46,6 +46,7 @@ private:
   bool Separate(Index a, Index b);
   bool Demote(Index patch);
   bool BreakMeshes();
+  bool BreakContradicted();
   bool Settle();
 
   StructurePatches Cell;
@@ -75,7 +76,9 @@ void CellSettler::FormGroups()
     const PatchGroup group = this->MembersOf(i);
     if (group.size() > 1)
     {
-      this->Forms[i] = this->Make.BecomeSheets(group) ? GroupForm::Sheets : this->MakeSafe(group);
+      this->Forms[i] = this->Make.BecomeSheets(group) || this->Make.BecomeStar(group)
+        ? GroupForm::Sheets
+        : this->MakeSafe(group);
     }
     else if (this->Cell[i].IsAmbiguous)
     {
@@ -186,6 +189,24 @@ bool CellSettler::BreakMeshes()
   return any;
 }
 
+/**
+ * Whether a patch of several cycles has one that is the whole border of another structure's patch: what is
+ * beyond that cycle ends there for the other structure, and leads to another cycle for this one. Between
+ * both there would be a gap, or an overlap. Then its cycles get patches of their own, as there.
+ */
+bool CellSettler::BreakContradicted()
+{
+  bool any = false;
+  for (Index i = 0; i < this->Cell.Count(); ++i)
+  {
+    if (this->Cell[i].Offsets.size() > 2 && this->Cell.HasBorderOfAnother(i))
+    {
+      any |= this->Cell.Break(this->Cell[i]);
+    }
+  }
+  return any;
+}
+
 /// Makes patches give way to each other. False if some still touch.
 bool CellSettler::Settle()
 {
@@ -210,7 +231,10 @@ SettledCell CellSettler::Run(const std::vector<StructureCycle>& cycles)
   SettledCell result;
   do
   {
-    this->Cell.Set(cycles);
+    do
+    {
+      this->Cell.Set(cycles);
+    } while (this->BreakContradicted());
     this->FormGroups();
     result.IsSettled = this->Settle();
   } while (!result.IsSettled && this->BreakMeshes());

@@ -70,21 +70,39 @@ double JunctionFit::HeightOver(const Point3& place) const
   return this->Heights.HeightAt(p[0], p[1]) - p[2];
 }
 
+Point3 JunctionFit::NormalAt(const Point3& place) const
+{
+  const Point3 p = this->ToLocal(place);
+  const std::array<double, 2> slopes = this->Heights.SlopesAt(p[0], p[1]);
+  return orthoslices::Unit(this->Axes[2] - slopes[0] * this->Axes[0] - slopes[1] * this->Axes[1]);
+}
+
 void JunctionFit::Evaluate(double share, Point3& place, Point3& normal) const
 {
-  place = Between(this->First, this->Last, share);
+  this->EvaluateBetween(this->First, this->Last, share, place, normal);
+}
+
+void JunctionFit::EvaluateBetween(
+  const Point3& first, const Point3& last, double share, Point3& place, Point3& normal) const
+{
+  place = Between(first, last, share);
   normal = { 0.0, 0.0, 0.0 };
   if (!this->HasSurface)
   {
     return;
   }
   // The ends are on the curve, wherever the quadratic is there.
-  const double atEnds =
-    (1.0 - share) * this->HeightOver(this->First) + share * this->HeightOver(this->Last);
+  const double atEnds = (1.0 - share) * this->HeightOver(first) + share * this->HeightOver(last);
   const double height = std::max(-1.0, std::min(1.0, this->HeightOver(place) - atEnds));
-  const Point3 p = this->ToLocal(place);
-  const std::array<double, 2> slopes = this->Heights.SlopesAt(p[0], p[1]);
+  normal = this->NormalAt(place);
   place = place + (this->Unit * height) * this->Axes[2];
-  normal = orthoslices::Unit(this->Axes[2] - slopes[0] * this->Axes[0] - slopes[1] * this->Axes[1]);
+}
+
+Point3 JunctionFit::Project(Point3& place) const
+{
+  const Point3 normal = this->NormalAt(place);
+  const double height = std::max(-1.0, std::min(1.0, this->HeightOver(place)));
+  place = place + (this->Unit * height) * this->Axes[2];
+  return normal;
 }
 }

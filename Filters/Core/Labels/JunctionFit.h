@@ -39,10 +39,16 @@ public:
   /// The place of the curve after a share of its way, and the normal of the surface that it is on; zero
   /// if there is none.
   void Evaluate(double share, Point3& place, Point3& normal) const;
+  /// The same for the curve on the surface between two other points.
+  void EvaluateBetween(
+    const Point3& first, const Point3& last, double share, Point3& place, Point3& normal) const;
+  /// Moves a place onto the surface; its normal there. REQUIRES: there is a surface.
+  Point3 Project(Point3& place) const;
 
 private:
   Point3 ToLocal(const Point3& place) const;
   double HeightOver(const Point3& place) const;
+  Point3 NormalAt(const Point3& place) const;
 
   Point3 First, Last;
   bool HasSurface = false;

@@ -4,14 +4,11 @@
 
 #include "Core/Base/EditContours.h"
 #include "Core/Base/Vectors.h"
+#include "Core/Labels/FaceSets.h"
 #include "Core/Labels/SnapVertices.h"
-#include "Core/Loops/LoopWindings.h"
 #include "Core/Loops/TraceRegion.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <limits>
 
 namespace orthoslices
 {
@@ -47,26 +44,17 @@ public:
 
 private:
   std::vector<std::vector<Point2>> ReadPolygons();
-  void FindSets(const PlaneFaces& faces, const LoopWindings& windings);
-  void MeasureFaces(const PlaneWalks& walks, const PlaneFaces& faces, const LoopWindings& windings);
-  bool IsSliver(Index face) const;
-  void Reassign(const PlaneFaces& faces);
-  Index BestNeighbour(Index face, const std::vector<std::uint8_t>& isOpen) const;
-  void Report();
+  void Report(const FaceSets& sets);
+  void CountVanished(const LoopWindings& windings, const FaceSets& sets);
   void FindJunctions(const PlaneWalks& walks, const PlaneFaces& faces);
-  bool HasChanged(Index structure, const PlaneWalks& walks) const;
-  std::vector<std::uint8_t> InsideOf(Index structure) const;
-  Contours Trace(const PlaneWalks& walks, const PlaneFaces& faces, Index structure) const;
+  bool HasChanged(Index structure, const PlaneWalks& walks, const FaceSets& sets) const;
+  Contours Trace(
+    const PlaneWalks& walks, const PlaneFaces& faces, const FaceSets& sets, Index structure) const;
 
   const std::vector<Contours*>& Structures;
   const std::vector<Member>& Members;
   const double Thickness;
   const StructureSets& Allowed;
-  std::vector<std::vector<Index>> Sets, SetsBefore; ///< of each face: the structures that it is in
-  std::vector<double> Areas, Lengths;               ///< of each face
-  std::vector<std::set<Index>> Beside;              ///< of each face: structures with a side on it
-  std::vector<std::map<Index, double>> Common;      ///< lengths of borders with other faces
-  std::vector<std::uint8_t> IsOuter;
   std::vector<std::uint8_t> IsMoved; ///< of each member: a vertex was moved onto another contour
   SharedSlice Result;
 };
@@ -109,146 +97,47 @@ std::vector<std::vector<Point2>> SliceSharer::ReadPolygons()
   return polygons;
 }
 
-void SliceSharer::FindSets(const PlaneFaces& faces, const LoopWindings& windings)
-{
-  this->Sets.resize(faces.CountFaces());
-  for (Index face = 0; face < faces.CountFaces(); ++face)
-  {
-    std::map<Index, Index> turns; // around the face, of each structure
-    for (const LoopWindings::Layer& layer : windings.LayersOf(face))
-    {
-      turns[this->Members[windings.WalkOf(layer.Part)].Structure] += layer.Winding;
-    }
-    for (const auto& [structure, count] : turns)
-    {
-      if (count > 0)
-      {
-        this->Sets[face].push_back(structure);
-      }
-    }
-  }
-  this->SetsBefore = this->Sets;
-}
-
-void SliceSharer::MeasureFaces(
-  const PlaneWalks& walks, const PlaneFaces& faces, const LoopWindings& windings)
-{
-  const std::size_t count = static_cast<std::size_t>(faces.CountFaces());
-  this->Areas.assign(count, 0.0);
-  this->Lengths.assign(count, 0.0);
-  this->Beside.resize(count);
-  this->Common.resize(count);
-  this->IsOuter.assign(count, 0);
-  for (Index component = 0; component < faces.CountComponents(); ++component)
-  {
-    this->IsOuter[faces.OuterFace(component)] = 1;
-  }
-  for (Index face = 0; face < faces.CountFaces(); ++face)
-  {
-    this->Areas[face] = std::abs(windings.AreaOfFace(face));
-  }
-  for (Index half = 0; half < faces.CountHalfEdges(); ++half)
-  {
-    const Index face = faces.Face(half), other = faces.Face(PlaneFaces::Twin(half));
-    const double length = Distance(walks.Nodes[faces.Head(half)], walks.Nodes[faces.Tail(half)]);
-    this->Lengths[face] += length;
-    this->Common[face][other] += length;
-    for (Index i = faces.FirstPassage(half / 2); i < faces.EndOfPassages(half / 2); ++i)
-    {
-      this->Beside[face].insert(this->Members[faces.PassageAt(i).Walk].Structure);
-    }
-  }
-}
-
-bool SliceSharer::IsSliver(Index face) const
-{
-  return this->IsOuter[face] == 0 && this->Beside[face].size() > 1 &&
-    2.0 * this->Areas[face] <= this->Thickness * this->Lengths[face];
-}
-
-/// How many structures, from the first one on, are in both of two sets or in none of them, before one
-/// that is in one of them only. REQUIRES: the sets are not the same.
-Index AgreeUpTo(const std::vector<Index>& a, const std::vector<Index>& b)
-{
-  std::vector<Index> different;
-  std::set_symmetric_difference(
-    a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(different));
-  return different.empty() ? std::numeric_limits<Index>::max() : different.front();
-}
-
-/// The face beside that is not open itself with the set that agrees for most structures, and of these the
-/// one with the longest common border; -1 if there is none.
-Index SliceSharer::BestNeighbour(Index face, const std::vector<std::uint8_t>& isOpen) const
-{
-  Index best = -1;
-  std::pair<Index, double> most{ -1, 0.0 };
-  for (const auto& [other, length] : this->Common[face])
-  {
-    if (other == face || isOpen[other] != 0)
-    {
-      continue;
-    }
-    const std::pair<Index, double> value{ AgreeUpTo(this->Sets[face], this->Sets[other]), length };
-    if (value > most)
-    {
-      best = other;
-      most = value;
-    }
-  }
-  return best;
-}
-
-/// Gives slivers, and what no structures may have in common, to neighbours, until none is left that
-/// has one.
-void SliceSharer::Reassign(const PlaneFaces& faces)
-{
-  std::vector<std::uint8_t> isOpen(this->Sets.size(), 0);
-  for (Index face = 0; face < faces.CountFaces(); ++face)
-  {
-    const bool isAllowed = this->Allowed.empty() || this->Allowed.count(this->Sets[face]) > 0;
-    isOpen[face] = this->IsOuter[face] == 0 && (this->IsSliver(face) || !isAllowed) ? 1 : 0;
-    if (isOpen[face] == 0)
-    {
-      this->Result.Found.Sets.insert(this->Sets[face]);
-    }
-  }
-  bool changed = true;
-  while (changed)
-  {
-    changed = false;
-    std::vector<std::pair<Index, Index>> taken;
-    for (Index face = 0; face < faces.CountFaces(); ++face)
-    {
-      const Index neighbour = isOpen[face] != 0 ? this->BestNeighbour(face, isOpen) : -1;
-      if (neighbour >= 0)
-      {
-        taken.emplace_back(face, neighbour);
-      }
-    }
-    for (const auto& [face, neighbour] : taken)
-    {
-      this->Sets[face] = this->Sets[neighbour];
-      isOpen[face] = 0;
-      changed = true;
-    }
-  }
-}
-
-void SliceSharer::Report()
+void SliceSharer::Report(const FaceSets& sets)
 {
   CommonAreas& areas = this->Result.Found.Areas;
   areas.OfStructure.assign(this->Structures.size(), 0.0);
-  for (std::size_t face = 0; face < this->Sets.size(); ++face)
+  for (Index face = 0; face < sets.Count(); ++face)
   {
-    const std::vector<Index>& set = this->Sets[face];
-    for (std::size_t i = 0; i < set.size() && this->IsOuter[face] == 0; ++i)
+    const std::vector<Index>& set = sets[face];
+    for (std::size_t i = 0; i < set.size() && !sets.IsOuter(face); ++i)
     {
-      areas.OfStructure[set[i]] += this->Areas[face];
+      areas.OfStructure[set[i]] += sets.AreaOf(face);
       for (std::size_t j = i + 1; j < set.size(); ++j)
       {
-        areas.OfPair[{ set[i], set[j] }] += this->Areas[face];
+        areas.OfPair[{ set[i], set[j] }] += sets.AreaOf(face);
       }
     }
+  }
+}
+
+/// Counts contours that have run around something which is their structure's no more, all of it.
+void SliceSharer::CountVanished(const LoopWindings& windings, const FaceSets& sets)
+{
+  std::vector<std::uint8_t> isLeft(this->Members.size(), 0);
+  for (Index face = 0; face < sets.Count(); ++face)
+  {
+    for (const LoopWindings::Layer& layer : windings.LayersOf(face))
+    {
+      const Index member = windings.WalkOf(layer.Part);
+      const std::vector<Index>& set = sets[face];
+      isLeft[member] |= layer.Winding > 0 &&
+          std::binary_search(set.begin(), set.end(), this->Members[member].Structure)
+        ? 1
+        : 0;
+    }
+  }
+  this->Result.Found.Vanished.assign(this->Structures.size(), 0);
+  for (std::size_t i = 0; i < this->Members.size(); ++i)
+  {
+    const Member& member = this->Members[i];
+    const bool isOutline =
+      TwiceSignedArea(*this->Structures[member.Structure], member.Contour) > 0.0;
+    this->Result.Found.Vanished[member.Structure] += isOutline && isLeft[i] == 0 ? 1 : 0;
   }
 }
 
@@ -271,7 +160,7 @@ void SliceSharer::FindJunctions(const PlaneWalks& walks, const PlaneFaces& faces
 }
 
 /// Whether contours of a structure have vertices that they had not, or another interior.
-bool SliceSharer::HasChanged(Index structure, const PlaneWalks& walks) const
+bool SliceSharer::HasChanged(Index structure, const PlaneWalks& walks, const FaceSets& sets) const
 {
   for (std::size_t i = 0; i < this->Members.size(); ++i)
   {
@@ -285,9 +174,9 @@ bool SliceSharer::HasChanged(Index structure, const PlaneWalks& walks) const
   }
   const auto contains = [structure](const std::vector<Index>& set)
   { return std::binary_search(set.begin(), set.end(), structure); };
-  for (std::size_t face = 0; face < this->Sets.size(); ++face)
+  for (Index face = 0; face < sets.Count(); ++face)
   {
-    if (contains(this->Sets[face]) != contains(this->SetsBefore[face]))
+    if (contains(sets[face]) != contains(sets.Before(face)))
     {
       return true;
     }
@@ -295,22 +184,10 @@ bool SliceSharer::HasChanged(Index structure, const PlaneWalks& walks) const
   return false;
 }
 
-/// 1 for the faces that are inside a structure; inside any, if it is -1.
-std::vector<std::uint8_t> SliceSharer::InsideOf(Index structure) const
-{
-  std::vector<std::uint8_t> inside;
-  for (const std::vector<Index>& set : this->Sets)
-  {
-    const bool isIn =
-      structure < 0 ? !set.empty() : std::binary_search(set.begin(), set.end(), structure);
-    inside.push_back(isIn ? 1 : 0);
-  }
-  return inside;
-}
-
 /// The contours of a structure, or those around all of them, if it is -1. They are contours of the input
 /// if these are of that structure.
-Contours SliceSharer::Trace(const PlaneWalks& walks, const PlaneFaces& faces, Index structure) const
+Contours SliceSharer::Trace(
+  const PlaneWalks& walks, const PlaneFaces& faces, const FaceSets& sets, Index structure) const
 {
   Index first = -1; // contour of the structure
   for (auto member = this->Members.rbegin(); member != this->Members.rend(); ++member)
@@ -320,7 +197,7 @@ Contours SliceSharer::Trace(const PlaneWalks& walks, const PlaneFaces& faces, In
   const Contours& from = *this->Structures[std::max<Index>(structure, 0)];
   const Member& any = this->Members.front();
   Contours made;
-  for (const TracedLoop& loop : TraceRegion(walks, faces, this->InsideOf(structure)))
+  for (const TracedLoop& loop : TraceRegion(walks, faces, sets.InsideOf(structure)))
   {
     if (loop.Points.size() < 3)
     {
@@ -352,17 +229,22 @@ SharedSlice SliceSharer::Run()
   }
   const PlaneFaces faces(walks);
   const LoopWindings windings(walks, faces);
-  this->FindSets(faces, windings);
-  this->MeasureFaces(walks, faces, windings);
-  this->Reassign(faces);
-  this->Report();
+  std::vector<Index> structures; // of each walk
+  for (const Member& member : this->Members)
+  {
+    structures.push_back(member.Structure);
+  }
+  FaceSets sets(walks, faces, windings, structures);
+  this->Result.Found.Sets = sets.Reassign(this->Thickness, this->Allowed);
+  this->Report(sets);
+  this->CountVanished(windings, sets);
   this->FindJunctions(walks, faces);
-  this->Result.Found.Union = this->Trace(walks, faces, -1);
+  this->Result.Found.Union = this->Trace(walks, faces, sets, -1);
   for (Index structure = 0; structure < static_cast<Index>(this->Structures.size()); ++structure)
   {
-    if (this->HasChanged(structure, walks))
+    if (this->HasChanged(structure, walks, sets))
     {
-      this->Result.New.emplace_back(structure, this->Trace(walks, faces, structure));
+      this->Result.New.emplace_back(structure, this->Trace(walks, faces, sets, structure));
     }
   }
   return std::move(this->Result);
@@ -412,6 +294,10 @@ void AddTo(const SharedBorders& slice, SharedBorders& all)
   {
     all.Areas.OfStructure[i] += slice.Areas.OfStructure[i];
   }
+  for (std::size_t i = 0; i < slice.Vanished.size(); ++i)
+  {
+    all.Vanished[i] += slice.Vanished[i];
+  }
   for (const auto& [pair, area] : slice.Areas.OfPair)
   {
     all.Areas.OfPair[pair] += area;
@@ -434,6 +320,7 @@ SharedBorders ShareBorders(double thickness, const StructureSets& allowed,
     });
   SharedBorders all;
   all.Areas.OfStructure.assign(structures.size(), 0.0);
+  all.Vanished.assign(structures.size(), 0);
   std::vector<std::vector<std::uint8_t>> isReplaced;
   for (const Contours* contours : structures)
   {

@@ -27,9 +27,10 @@ using StructureSets = std::set<std::vector<Index>>;
 struct SharedBorders
 {
   CommonAreas Areas;
-  StructureSets Sets;         ///< that places have, but for slivers
-  Contours Union;             ///< of all structures, on each slice
-  std::set<Point3> Junctions; ///< vertices at which contours part or meet
+  std::vector<Index> Vanished; ///< of each structure: contours of which nothing is left
+  StructureSets Sets;          ///< that places have, but for slivers
+  Contours Union;              ///< of all structures, on each slice
+  std::set<Point3> Junctions;  ///< vertices at which contours part or meet
 };
 
 /**

@@ -151,6 +151,45 @@ bool SheetBuilder::Build(
     this->AddCurve(following, border.Points[next], sideAt(last), rest);
   }
   outlines.push_back(std::move(rest));
+  this->AppendAll(border, outlines, patch);
+  return true;
+}
+
+bool SheetBuilder::Build(const SheetBorder& border, const JunctionStar& star, InnerPatch& patch)
+{
+  const Index size = static_cast<Index>(border.Points.size());
+  std::vector<Index> ends; // places on the border
+  for (Index i = 0; i < size; ++i)
+  {
+    if (star.CurveFrom.count(border.Points[i]) > 0)
+    {
+      ends.push_back(i);
+    }
+  }
+  std::vector<Outline> outlines;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+  {
+    const Index first = ends[i], last = ends[(i + 1) % ends.size()];
+    const CellEdge beside = CellEdgeOf(border.Points[first], border.Points[(first + 1) % size]);
+    outlines.emplace_back();
+    this->AddPath(border, first, last, outlines.back());
+    this->AddCurve(
+      star.CurveFrom.at(border.Points[last]), border.Points[last], beside, outlines.back());
+    const bool isOnSurface = star.OnSurface.count(beside) > 0;
+    const bool isAlong = Dot(star.Normal, outlines.back().Normals.front()) >= 0.0;
+    outlines.back().Add(
+      star.Middle, isOnSurface ? (isAlong ? 1.0 : -1.0) * star.Normal : Point3{ 0.0, 0.0, 0.0 });
+    this->AddCurve(star.CurveFrom.at(border.Points[first]), star.Middle, beside, outlines.back());
+  }
+  patch.Clear();
+  this->AppendAll(border, outlines, patch);
+  return ends.size() > 1;
+}
+
+/// Sheets that are a patch together.
+void SheetBuilder::AppendAll(
+  const SheetBorder& border, const std::vector<Outline>& outlines, InnerPatch& patch)
+{
   std::map<Index, Index> corner;
   for (std::size_t i = 0; i < border.Points.size(); ++i)
   {
@@ -162,7 +201,6 @@ bool SheetBuilder::Build(
     const Sheet& sheet = this->FindSheet(outline, isReversed);
     this->Append(sheet, isReversed, corner, patch);
   }
-  return true;
 }
 
 /// The sheet of an outline, and whether it was built for the other direction.

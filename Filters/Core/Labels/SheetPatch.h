@@ -36,6 +36,15 @@ struct JunctionCurve
   std::set<CellEdge> OnSurface; ///< the sides of the border of that surface
 };
 
+/// Curves that meet in one point within a cell.
+struct JunctionStar
+{
+  Index Middle;                             ///< the point
+  Point3 Normal;                            ///< there, of the smooth surface that it is on
+  std::map<Index, JunctionCurve> CurveFrom; ///< the point, by their other ends
+  std::set<CellEdge> OnSurface;             ///< the sides of the border of that surface
+};
+
 /// A border with the normals of the surface, empty if they are not known.
 struct SheetBorder
 {
@@ -67,6 +76,9 @@ public:
   /// of one.
   bool Build(
     const SheetBorder& border, const std::vector<JunctionCurve>& curves, InnerPatch& patch);
+  /// The patch of a border that curves from some of its points divide into sheets around the point where
+  /// they meet. False if there are less than two.
+  bool Build(const SheetBorder& border, const JunctionStar& star, InnerPatch& patch);
 
 private:
   struct Sheet
@@ -85,6 +97,8 @@ private:
   Sheet MakeSheet(const Outline& outline);
   bool MakeSmooth(const Outline& outline, Sheet& sheet);
   void MakeFan(const Outline& outline, Sheet& sheet);
+  void AppendAll(
+    const SheetBorder& border, const std::vector<Outline>& outlines, InnerPatch& patch);
   void Append(
     const Sheet& sheet, bool isReversed, std::map<Index, Index>& corner, InnerPatch& patch) const;
 

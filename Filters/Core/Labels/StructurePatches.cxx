@@ -250,8 +250,33 @@ std::vector<Index> StructurePatches::PartingPoints(Index number) const
   return points;
 }
 
-/// A place for a point that all patches of a group have in common.
-Point3 StructurePatches::MoveInside(const PatchGroup& group, Point3 point) const
+bool StructurePatches::HasBorderOfAnother(Index number) const
+{
+  const CellPatch& patch = this->Patches[number];
+  for (std::size_t i = 0; i + 1 < patch.Offsets.size(); ++i)
+  {
+    const auto found = this->ByBorder.find(Canonical(
+      { patch.Border.begin() + patch.Offsets[i], patch.Border.begin() + patch.Offsets[i + 1] }));
+    if (found != this->ByBorder.end() && found->second != number)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+Point3 StructurePatches::MoveInside(const PatchGroup& group, const Point3& point) const
+{
+  return this->MoveInside(group, point, CommonPointMargin);
+}
+
+Point3 StructurePatches::KeepInside(const PatchGroup& group, const Point3& point) const
+{
+  return this->MoveInside(group, point, InnerMargin);
+}
+
+/// Moves a point at least a share of the width of the cell away from its faces.
+Point3 StructurePatches::MoveInside(const PatchGroup& group, Point3 point, double share) const
 {
   for (const Index patch : group)
   {
@@ -261,7 +286,7 @@ Point3 StructurePatches::MoveInside(const PatchGroup& group, Point3 point) const
       for (int axis = 0; axis < 3; ++axis)
       {
         point[axis] = geometry.Grid.MoveInside(
-          axis, geometry.Cycles.Cell[owner.Cycle][axis], point[axis], CommonPointMargin);
+          axis, geometry.Cycles.Cell[owner.Cycle][axis], point[axis], share);
       }
     }
   }

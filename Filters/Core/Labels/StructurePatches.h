@@ -62,6 +62,9 @@ public:
   /// if it has already.
   bool Break(const CellPatch& patch) { return this->Broken.insert(patch.Mesh).second; }
 
+  /// Whether one of the cycles of a patch is all of the border of another patch.
+  bool HasBorderOfAnother(Index patch) const;
+
   Index Count() const { return static_cast<Index>(this->Patches.size()); }
   const CellPatch& operator[](Index patch) const { return this->Patches[patch]; }
   Index NumberOf(const Point3& place) override;
@@ -92,12 +95,15 @@ public:
   /// The border of a patch with the normals that its first owner has there.
   SheetBorder BorderOfSheets(Index patch) const;
   /// A place for a point that all patches of a group have in common.
-  Point3 MoveInside(const PatchGroup& group, Point3 point) const;
+  Point3 MoveInside(const PatchGroup& group, const Point3& point) const;
+  /// A place for a point of one patch, which may be close to a face of the cell.
+  Point3 KeepInside(const PatchGroup& group, const Point3& point) const;
   /// Where points inside the patches of a group may be.
   Box3 RoomOf(const PatchGroup& group) const;
   Point3 MiddleOfBorder(const CellPatch& patch) const;
 
 private:
+  Point3 MoveInside(const PatchGroup& group, Point3 point, double share) const;
   void AddCycle(const StructureCycle& cycle);
   void AddTriangles(const StructureCycle& cycle, CellPatch& patch);
   void NumberCorners(Index number, std::vector<PatchTriangle>& triangles);

@@ -62,6 +62,16 @@ void SpatialGrid::GetExtent(
   high = slab < this->Count(axis) ? planes[slab] : this->Round(maximum + beyond);
 }
 
+int CountFamilies(const SpatialGrid& grid)
+{
+  int families = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    families += grid.Count(axis) > 0 ? 1 : 0;
+  }
+  return families;
+}
+
 int FindOnlyFamily(const SpatialGrid& grid)
 {
   int families = 0;

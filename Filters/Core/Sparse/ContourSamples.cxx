@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace orthoslices
 {
@@ -27,6 +29,17 @@ double LengthOf(const WorldLoop& loop)
     length += Length(loop.Points[(i + 1) % loop.Points.size()] - loop.Points[i]);
   }
   return length;
+}
+
+/// The same to the last bit whichever axis is the first one.
+double SumOfSquares(Point3 p)
+{
+  for (double& x : p)
+  {
+    x *= x;
+  }
+  std::sort(p.begin(), p.end());
+  return p[0] + p[1] + p[2];
 }
 
 /// Where a contour is, at even lengths along it.
@@ -96,6 +109,41 @@ void AppendGuides(
       }
     }
   }
+}
+
+void SortLoops(std::vector<WorldLoop>& loops)
+{
+  Box3 box;
+  for (const WorldLoop& loop : loops)
+  {
+    std::for_each(loop.Points.begin(), loop.Points.end(), [&](const Point3& p) { box.Add(p); });
+  }
+  const Point3 middle = 0.5 * (box.Low + box.High);
+  const auto isFarther = [&](const Point3& a, const Point3& b)
+  {
+    const double ofA = SumOfSquares(a - middle), ofB = SumOfSquares(b - middle);
+    return ofA != ofB ? ofA > ofB : a < b;
+  };
+  std::vector<std::pair<double, std::size_t>> order;
+  for (WorldLoop& loop : loops)
+  {
+    std::vector<Point3>& points = loop.Points;
+    std::rotate(
+      points.begin(), std::min_element(points.begin(), points.end(), isFarther), points.end());
+    order.emplace_back(-LengthOf(loop), order.size());
+  }
+  std::sort(order.begin(), order.end(),
+    [&](const auto& a, const auto& b)
+    {
+      const WorldLoop &ofA = loops[a.second], &ofB = loops[b.second];
+      return std::tie(a.first, ofA.Normal, ofA.Points) < std::tie(b.first, ofB.Normal, ofB.Points);
+    });
+  std::vector<WorldLoop> sorted;
+  for (const auto& [length, number] : order)
+  {
+    sorted.push_back(std::move(loops[number]));
+  }
+  loops.swap(sorted);
 }
 
 double SampleStep(const std::vector<WorldLoop>& loops, double wanted)

@@ -3,6 +3,8 @@
 #include "Core/Sparse/FairSurface.h"
 
 #include "Core/Base/DisjointSets.h"
+#include "Core/Sparse/BendingOperator.h"
+#include "Core/Sparse/RoundnessLoad.h"
 #include "Core/Sparse/SlabPull.h"
 
 #include <Eigen/SparseCholesky>
@@ -15,79 +17,34 @@ namespace orthoslices
 {
 namespace
 {
-using Matrix = Eigen::SparseMatrix<double>;
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-
-struct Operator
-{
-  Matrix Laplacian;         ///< square; rows of unused points are empty
-  std::vector<double> Area; ///< of each point
-};
-
-/// Weight of the edge of a corner, as seen from its triangle.
-double HalfWeight(const SurfaceMesh& mesh, Index corner)
-{
-  // Angles of less than 3 degrees say nothing about the surface.
-  constexpr double largest = 20.0;
-  return std::clamp(0.5 * mesh.Cotangent(corner), -largest, largest);
-}
-
-Operator MakeOperator(EdgeWeights weights, const SurfaceMesh& mesh)
-{
-  const CornerTable& corners = mesh.Corners;
-  const Index points = corners.PointCount();
-  Operator result{ Matrix(points, points), std::vector<double>(points, 0.0) };
-  std::vector<Eigen::Triplet<double>> entries;
-  std::vector<double> sum(points, 0.0);
-  for (Index corner = 0; corner < corners.CornerCount(); ++corner)
-  {
-    if (!corners.IsAlive(corner))
-    {
-      continue;
-    }
-    const Index a = corners.StartOf(corner);
-    const Index b = corners.EndOf(corner);
-    const bool uniform = weights == EdgeWeights::Uniform;
-    const double weight = uniform ? 0.5 : HalfWeight(mesh, corner);
-    for (const auto& [row, column] : { std::pair(a, b), std::pair(b, a) })
-    {
-      entries.emplace_back(row, column, weight);
-      sum[row] -= weight;
-    }
-    const Index c = corners.VertexOf(corner);
-    const double area = Length(Cross(mesh.Edge(c, a), mesh.Edge(c, b))) / 6.0;
-    result.Area[c] += uniform ? 1.0 : area / (mesh.Stretch[c] * mesh.Stretch[c]);
-  }
-  for (Index point = 0; point < points; ++point)
-  {
-    entries.emplace_back(point, point, sum[point]);
-  }
-  result.Laplacian.setFromTriplets(entries.begin(), entries.end());
-  return result;
-}
+using Matrix = SparseMatrix;
 
 /// The equations of least bending, for the points that are free.
 class BendingEquations
 {
 public:
   /// Points with `place` >= 0 are free, numbered by their place.
-  BendingEquations(const Operator& bending, const std::vector<std::uint8_t>& crease,
+  BendingEquations(const BendingOperator& bending, const std::vector<std::uint8_t>& crease,
     const std::vector<Index>& place, Index freePoints, const std::vector<Point3>& points);
 
-  /// Moves the free points to where the surface bends least. False if that cannot be solved.
-  bool Solve(std::vector<Point3>& points);
+  /// Moves the free points to where the surface bends least, and farther as a load pushes them. False
+  /// if that cannot be solved.
+  bool Solve(const RoundnessLoad& load, std::vector<Point3>& points);
   /// Moves them along one axis alone, with a pull that joins the bending.
   bool SolveWith(const SlabPull& pull, int axis, std::vector<Point3>& points);
 
 private:
+  Columns FollowLoad(const RoundnessLoad& load) const;
+
   const std::vector<Index>& Place;
   Matrix Normal;
   Columns Right;
   Eigen::SimplicialLDLT<Matrix> Solver;
 };
 
-BendingEquations::BendingEquations(const Operator& bending, const std::vector<std::uint8_t>& crease,
-  const std::vector<Index>& place, Index freePoints, const std::vector<Point3>& points)
+BendingEquations::BendingEquations(const BendingOperator& bending,
+  const std::vector<std::uint8_t>& crease, const std::vector<Index>& place, Index freePoints,
+  const std::vector<Point3>& points)
   : Place(place)
 {
   // Columns of free points, and what the others add to each row.
@@ -131,14 +88,43 @@ BendingEquations::BendingEquations(const Operator& bending, const std::vector<st
   this->Solver.analyzePattern(this->Normal);
 }
 
-bool BendingEquations::Solve(std::vector<Point3>& points)
+/// How far the load moves the free points, at most as far as it says.
+Columns BendingEquations::FollowLoad(const RoundnessLoad& load) const
+{
+  Columns right = Columns::Zero(this->Right.rows(), 3);
+  for (std::size_t point = 0; point < load.Force.size(); ++point)
+  {
+    if (this->Place[point] >= 0)
+    {
+      const Point3& force = load.Force[point];
+      right.row(this->Place[point]) << force[0], force[1], force[2];
+    }
+  }
+  Columns moved = this->Solver.solve(right);
+  for (std::size_t point = 0; point < load.Force.size(); ++point)
+  {
+    if (this->Place[point] >= 0)
+    {
+      auto way = moved.row(this->Place[point]);
+      const double length = way.norm();
+      way *= length > load.Reach[point] ? load.Reach[point] / length : 1.0;
+    }
+  }
+  return moved;
+}
+
+bool BendingEquations::Solve(const RoundnessLoad& load, std::vector<Point3>& points)
 {
   this->Solver.factorize(this->Normal);
   if (this->Solver.info() != Eigen::Success)
   {
     return false;
   }
-  const Columns moved = this->Solver.solve(this->Right);
+  Columns moved = this->Solver.solve(this->Right);
+  if (!load.IsEmpty())
+  {
+    moved += this->FollowLoad(load);
+  }
   if (!moved.allFinite())
   {
     return false;
@@ -190,7 +176,7 @@ bool BendingEquations::SolveWith(const SlabPull& pull, int axis, std::vector<Poi
 /// The mean over the surface of the square of the bending in widths of the slabs; see SlabPull. What
 /// is sharper than a ball as wide as its slab counts as such.
 double MeasureRoughness(
-  const Operator& bending, const SurfaceMesh& mesh, const std::vector<Point3>& points)
+  const BendingOperator& bending, const SurfaceMesh& mesh, const std::vector<Point3>& points)
 {
   constexpr double sharpest = 4.0;
   Columns places(points.size(), 3);
@@ -323,10 +309,12 @@ bool StopAtCells(
 
 void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
 {
-  const Operator bending = MakeOperator(weights, mesh);
+  const BendingOperator bending = MakeBendingOperator(weights, mesh);
   std::vector<std::uint8_t> stopped = FindHeldPoints(mesh);
   HoldFlatComponents(mesh, stopped);
-  const bool isPulled = weights == EdgeWeights::Cotangents && mesh.StretchAxis >= 0;
+  const bool isPulled = weights != EdgeWeights::Uniform && mesh.StretchAxis >= 0;
+  const RoundnessLoad load =
+    weights == EdgeWeights::RoundCotangents ? KeepRound(mesh) : RoundnessLoad();
   SlabPull pull;
   std::vector<Index> place;
   // Points that reach the end of their cell stay there; then the others are placed anew.
@@ -338,7 +326,7 @@ void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
     std::vector<Point3> points = mesh.Points;
     BendingEquations equations(bending, mesh.Crease, place, freePoints, points);
     // A pull acts along the axis alone, and so do, but for the bounds of all, the ends of cells.
-    if (freePoints == 0 || ((round == 0 || !isPulled) && !equations.Solve(points)))
+    if (freePoints == 0 || ((round == 0 || !isPulled) && !equations.Solve(load, points)))
     {
       return;
     }

@@ -10,9 +10,10 @@ namespace orthoslices
 /// The Laplacian of a mesh by which its bending is measured, after the stretch of SurfaceMesh.
 enum class EdgeWeights
 {
-  Uniform,   ///< knows the connections only, as if all edges had the same length and all points
-             ///< the same area: for a mesh whose shape says nothing yet
-  Cotangents ///< of the surface as it is; angles below 3 degrees count as such of 3 degrees
+  Uniform,    ///< knows the connections only, as if all edges had the same length and all points
+              ///< the same area: for a mesh whose shape says nothing yet
+  Cotangents, ///< of the surface as it is; angles below 3 degrees count as such of 3 degrees
+  RoundCotangents ///< the same, and round shapes do not shrink (KeepRound)
 };
 
 /**

@@ -22,7 +22,8 @@ constexpr int MostSteps = 6;
 struct Lattice
 {
   std::array<std::vector<double>, 3> Coordinates;
-  Box3 Inside; ///< nothing is inside beyond it
+  std::array<std::vector<std::uint8_t>, 3> IsPlane; ///< whether contours are wanted there
+  Box3 Inside;                                      ///< nothing is inside beyond it
   AxisFrame Metric;
   std::vector<double> Values;
 
@@ -30,6 +31,11 @@ struct Lattice
   std::size_t Number(const std::array<std::size_t, 3>& at) const
   {
     return (at[2] * this->Count(1) + at[1]) * this->Count(0) + at[0];
+  }
+  /// Of points that are in no layer of contours nobody asks.
+  bool IsNeeded(const std::array<std::size_t, 3>& at) const
+  {
+    return this->IsPlane[0][at[0]] || this->IsPlane[1][at[1]] || this->IsPlane[2][at[2]];
   }
   Point3 Place(const std::array<std::size_t, 3>& at) const
   {
@@ -97,8 +103,11 @@ void EvaluateBlock(const SliceField& field, const Block& block, Lattice& lattice
     {
       for (at[0] = block[0][0]; at[0] < block[0][1]; ++at[0])
       {
-        lattice.Values[lattice.Number(at)] =
-          isFar ? far : ValueWithin(field, lattice, lattice.Place(at));
+        if (lattice.IsNeeded(at))
+        {
+          lattice.Values[lattice.Number(at)] =
+            isFar ? far : ValueWithin(field, lattice, lattice.Place(at));
+        }
       }
     }
   }
@@ -302,6 +311,11 @@ Contours CutField(const SliceField& field, const SpatialGrid& grid, const SliceD
     all.insert(all.end(), planes[axis].begin(), planes[axis].end());
     lattice.Coordinates[axis] = MakeCoordinates(std::move(all), lattice.Inside.Low[axis],
       lattice.Inside.High[axis], density.Spacing(axis) / StepsBetweenPlanes);
+    for (const double coordinate : lattice.Coordinates[axis])
+    {
+      lattice.IsPlane[axis].push_back(
+        std::binary_search(planes[axis].begin(), planes[axis].end(), coordinate) ? 1 : 0);
+    }
   }
   Evaluate(field, execution, lattice);
   Contours contours;

@@ -56,7 +56,7 @@ bool StaysOnContour(const SurfaceMesh& mesh, Index corner, double tolerance, dou
       if (mesh.Corners.IsCurve(CornerTable::Previous(at)))
       {
         const Point3& before = mesh.Points[mesh.Corners.VertexOf(CornerTable::Next(at))];
-        const double stretch = mesh.Stretch[start];
+        const Point3& stretch = mesh.Stretch[start];
         stays &= before == target ||
           (SquaredDistanceToSegment(mesh.Points[start], before, target) <= tolerance * tolerance &&
             Length(mesh.Stretched(target - before, stretch)) <= longest);
@@ -70,7 +70,9 @@ bool TryCollapse(
   Index corner, double shortest, double longestOnContour, double maximum, SurfaceMesh& mesh)
 {
   // Contours keep their course; the classes of short edges add up to twice that.
-  const double tolerance = ContourShare * shortest / mesh.Stretch[mesh.Corners.StartOf(corner)];
+  const Point3& stretch = mesh.Stretch[mesh.Corners.StartOf(corner)];
+  const double tolerance =
+    ContourShare * shortest / std::max({ stretch[0], stretch[1], stretch[2] });
   const Index start = mesh.Corners.StartOf(corner);
   const Index end = mesh.Corners.EndOf(corner);
   const Point3 target =

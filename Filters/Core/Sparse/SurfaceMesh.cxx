@@ -32,6 +32,26 @@ Box3 BoundCell(const SpatialGrid& grid, const Box3& contours, const Box3& guides
   return box;
 }
 
+/// Along the missing one of several axes, points stay within half the greater spacing of where
+/// their patch was. No planes bound the cell there, and a patch that hangs on little could become a
+/// bar.
+void BoundAlongMissingAxis(const SpatialGrid& grid, const Box3& patch, Box3& cell)
+{
+  double spacing = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    spacing = grid.Count(axis) > 1 ? std::max(spacing, grid.MeanSpacing(axis)) : spacing;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (grid.Count(axis) == 0 && spacing > 0.0 && patch.Low[axis] <= patch.High[axis])
+    {
+      cell.Low[axis] = std::max(cell.Low[axis], patch.Low[axis] - 0.5 * spacing);
+      cell.High[axis] = std::min(cell.High[axis], patch.High[axis] + 0.5 * spacing);
+    }
+  }
+}
+
 /// Twice the area by the length: the radius of a circle, the thickness of a long strip.
 double ThicknessOfLoop(const NodeGraph& graph, const AxisFrame& metric, Index loop)
 {
@@ -56,33 +76,51 @@ double ThicknessOfLoop(const NodeGraph& graph, const AxisFrame& metric, Index lo
 /// The radius of a tube that slices one spacing apart show well: least bending then narrows it by
 /// half a percent in the middle between two slices.
 constexpr double SpacingsOfRadius = 0.85;
-/// The same where the surface has an edge around a flat end, and bends there as it likes: like a soap
-/// film it would narrow a tube between two such ends by one part in 2 (2 radii / spacings) ^ 2.
+/// The same where the surface has an edge around a flat end, and bends there as it likes: like a
+/// soap film it would narrow a tube between two such ends by one part in 2 (2 radii / spacings) ^
+/// 2.
 constexpr double SpacingsOfRadiusAtEdge = 3.0;
-/// Thinner things are not worth the triangles.
+/// Thinner things are not worth the triangles. Of two families, both show what is thin.
 constexpr double MaxStretch = 16.0;
+constexpr double MaxStretchOfTwo = 2.0;
+
+/// Points of contours without node points.
+void StretchLoop(
+  const CycleGeometry& geometry, const StackEnds& ends, Index loop, SurfaceMesh& mesh)
+{
+  const NodeGraph& graph = geometry.Graph;
+  const Index first = graph.FirstPoint(graph.Arcs + loop);
+  const int axis = graph.Loops[loop].Axis;
+  const bool isOnly = mesh.StretchAxis >= 0;
+  const bool isAtEdge = isOnly && (mesh.Crease[first] != 0 || ends.HasRim[loop] != 0);
+  const double spacings = isAtEdge ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
+  const double needed = spacings * geometry.Grid.MeanSpacing(axis);
+  const double stretch = std::clamp(
+    needed / ThicknessOfLoop(graph, mesh.Metric, loop), 1.0, isOnly ? MaxStretch : MaxStretchOfTwo);
+  Point3 within{ stretch, stretch, stretch };
+  within[axis] = 1.0;
+  std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), within);
+}
 
 void FindStretch(const CycleGeometry& geometry, const StackEnds& ends, SurfaceMesh& mesh)
 {
-  const NodeGraph& graph = geometry.Graph;
-  for (Index loop = 0; loop < static_cast<Index>(graph.Loops.size()); ++loop)
+  for (Index loop = 0; loop < static_cast<Index>(geometry.Graph.Loops.size()); ++loop)
   {
-    const Index first = graph.FirstPoint(graph.Arcs + loop);
-    const bool isAtEdge = mesh.Crease[first] != 0 || ends.HasRim[loop] != 0;
-    const double spacings = isAtEdge ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
-    const double needed = spacings * geometry.Grid.MeanSpacing(mesh.StretchAxis);
-    const double stretch =
-      std::clamp(needed / ThicknessOfLoop(graph, mesh.Metric, loop), 1.0, MaxStretch);
-    std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), stretch);
+    StretchLoop(geometry, ends, loop, mesh);
   }
-  for (Index point = graph.Count(); point < mesh.Corners.PointCount(); ++point)
+  for (Index point = geometry.Graph.Count(); point < mesh.Corners.PointCount(); ++point)
   {
-    double greatest = 1.0;
+    Point3 greatest = SurfaceMesh::Unstretched;
     if (mesh.Corners.IsUsed(point))
     {
       mesh.Corners.ForCornersAt(point,
-        [&](Index at) {
-          greatest = std::max(greatest, mesh.Stretch[mesh.Corners.VertexOf(CornerTable::Next(at))]);
+        [&](Index at)
+        {
+          const Point3& beside = mesh.Stretch[mesh.Corners.VertexOf(CornerTable::Next(at))];
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            greatest[axis] = std::max(greatest[axis], beside[axis]);
+          }
         });
     }
     mesh.Stretch[point] = greatest;
@@ -113,8 +151,8 @@ bool IsFlat(const std::vector<Index>& points, double spacing, const SurfaceMesh&
   return box.High[axis] - box.Low[axis] < FlatShare * spacing;
 }
 
-/// Where the object ends with a flat patch, in a slice or within a rim, the surface has an edge around
-/// it, and where walls go on from the last slice to its copy.
+/// Where the object ends with a flat patch, in a slice or within a rim, the surface has an edge
+/// around it, and where walls go on from the last slice to its copy.
 void MarkFlatPatches(
   const CycleGeometry& geometry, const Patches& patches, const StackEnds& ends, SurfaceMesh& mesh)
 {
@@ -149,6 +187,19 @@ void MarkWalls(const NodeGraph& graph, const StackEnds& ends, SurfaceMesh& mesh)
         mesh.Crease.begin() + graph.FirstPoint(arc), graph.PointCount(arc), std::uint8_t(1));
     }
   }
+}
+
+Box3 BoxOfPatch(const DraftMesh& draft, const Patches& patches, Index patch)
+{
+  Box3 box;
+  for (std::int64_t t = patches.Offsets[patch]; t < patches.Offsets[patch + 1]; ++t)
+  {
+    for (const Index point : draft.Triangles[static_cast<std::size_t>(t)])
+    {
+      box.Add(draft.Points[point]);
+    }
+  }
+  return box;
 }
 
 /// Contours run between patches of different cells.
@@ -220,6 +271,10 @@ SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patche
   for (Index cycle = 0; cycle < cycles; ++cycle)
   {
     cells.push_back(BoundCell(geometry.Grid, contours, guided, geometry.Cycles.Cell[cycle]));
+    if (CountFamilies(geometry.Grid) == 2)
+    {
+      BoundAlongMissingAxis(geometry.Grid, BoxOfPatch(draft, patches, cycle), cells.back());
+    }
     std::fill(draft.Patch.begin() + patches.Offsets[cycle],
       draft.Patch.begin() + patches.Offsets[cycle + 1], cycle);
   }
@@ -232,7 +287,8 @@ SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patche
   const std::size_t count = draft.Points.size();
   SurfaceMesh mesh{ CornerTable(static_cast<Index>(count), draft.Triangles),
     std::move(draft.Points), {}, std::vector<std::uint8_t>(count, 0), std::move(draft.Patch),
-    std::move(cells), geometry.Grid.Metric, axis, std::vector<double>(count, 1.0) };
+    std::move(cells), geometry.Grid.Metric, axis,
+    std::vector<Point3>(count, SurfaceMesh::Unstretched) };
   mesh.Fixed.assign(count, 0);
   std::fill_n(mesh.Fixed.begin(), geometry.Graph.Count(), std::uint8_t(1));
   std::fill(
@@ -243,6 +299,9 @@ SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patche
   {
     MarkWalls(geometry.Graph, ends, mesh);
     MarkFlatPatches(geometry, patches, ends, mesh);
+  }
+  if (axis >= 0 || (mesh.Metric.IsWorld() && CountFamilies(geometry.Grid) == 2))
+  {
     FindStretch(geometry, ends, mesh);
   }
   return mesh;

@@ -18,10 +18,10 @@ namespace orthoslices
  * be fixed as well. Each triangle is part of a patch and belongs to the patch's cell; the other
  * points belong to the cell of their triangles, as curves separate the cells.
  *
- * Lengths and angles are those after a *stretch* of the directions within the slices, for one
- * family of slices: thin things between slices far apart, tubes and blades, look to it about as wide
- * as the slices are apart (and after the map to the world, where families are not at right angles to
- * each other). Without that the least bending would neither keep a tube's radius nor a
+ * Lengths and angles are those after a *stretch* of the directions within the slices: thin things
+ * between slices far apart, tubes and blades, look to it about as wide as the slices are apart (and
+ * after the map to the world, where families are not at right angles to each other; there, only one
+ * family stretches). Without that the least bending would neither keep a tube's radius nor a
  * blade's edge between two slices. Points themselves are in world coordinates, not stretched.
  */
 struct SurfaceMesh
@@ -34,8 +34,8 @@ struct SurfaceMesh
   std::vector<Box3> Cells; ///< of each patch: where its points may go, the grid's margin taken off
 
   AxisFrame Metric;             ///< what lengths and angles are before the stretch; see SpatialGrid
-  int StretchAxis = -1;         ///< of the only family of slices; -1: nothing is stretched
-  std::vector<double> Stretch;  ///< of each point, at least 1
+  int StretchAxis = -1;         ///< of the only family of slices; -1 where there are several
+  std::vector<Point3> Stretch;  ///< of each point along each axis, at least 1
   std::vector<double> Levels{}; ///< see StackEnds
 
   /// From one point to another, stretched.
@@ -44,23 +44,22 @@ struct SurfaceMesh
     return this->Stretched(
       this->Points[to] - this->Points[from], 0.5 * (this->Stretch[from] + this->Stretch[to]));
   }
-  Point3 Stretched(const Point3& vector, double stretch) const
+  Point3 Stretched(const Point3& vector, const Point3& stretch) const
   {
     if (!this->Metric.IsWorld())
     {
       const Point3 inWorld = this->Metric.ToWorld(vector);
       const Point3& up = this->Metric.Normal(std::max(this->StretchAxis, 0));
       const Point3 across = Dot(inWorld, up) * up;
-      return this->StretchAxis >= 0 ? across + stretch * (inWorld - across) : inWorld;
+      return this->StretchAxis >= 0
+        ? across + stretch[FirstAxis(this->StretchAxis)] * (inWorld - across)
+        : inWorld;
     }
-    Point3 result = vector;
-    if (this->StretchAxis >= 0)
-    {
-      result[FirstAxis(this->StretchAxis)] *= stretch;
-      result[SecondAxis(this->StretchAxis)] *= stretch;
-    }
-    return result;
+    return { stretch[0] * vector[0], stretch[1] * vector[1], stretch[2] * vector[2] };
   }
+  /// Whether lengths at a point are other than in the world.
+  bool IsStretched(Index point) const { return this->Stretch[point] != Unstretched; }
+  static constexpr Point3 Unstretched{ 1.0, 1.0, 1.0 };
 
   /// From one point to another in the world, not stretched.
   Point3 InWorld(Index from, Index to) const
@@ -82,8 +81,8 @@ struct SurfaceMesh
   Index CellOf(Index point) const { return this->Cell[this->Corners.CornerAt(point) / 3]; }
 };
 
-/// Puts a point on the edge of a corner, after a share of the way from its start to its end. On a curve
-/// the point is fixed; it is on a crease if both ends are.
+/// Puts a point on the edge of a corner, after a share of the way from its start to its end. On a
+/// curve the point is fixed; it is on a crease if both ends are.
 void SplitEdge(Index corner, double share, SurfaceMesh& mesh);
 
 /// Triangles of points that they may share.
@@ -103,11 +102,13 @@ SurfaceTriangles ListTriangles(
  * extent being the spacing where there are fewer than two planes.
  *
  * With one family of slices, contours around a patch that is flatter than FlatShare of the spacing
- * become creases: the object ends flat. Where guides show what is beyond the last slice, they decide
- * whether it does there or within a rim farther out (RaiseEnds). At creases, too, points of a contour are stretched by what makes
- * its thickness (twice its area by its length: the radius of a circle) 0.85 of the mean spacing, or 3
- * spacings at a crease, between 1 and 16 times; other points as the one beside them that is
- * stretched most.
+ * become creases: the object ends flat. Where guides show what is beyond the last slice, they
+ * decide whether it does there or within a rim farther out (RaiseEnds). At creases, too, points of
+ * a contour are stretched by what makes its thickness (twice its area by its length: the radius of
+ * a circle) 0.85 of the mean spacing, or 3 spacings at a crease, between 1 and 16 times; other
+ * points along each axis as the one beside them that is stretched most. With two families this
+ * holds for contours between the planes of the other one, up to twice; and along the missing axis
+ * points of a patch stay within half the greater spacing of where they were.
  * REQUIRES: the patches are laid out as triangles.
  */
 SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patches,

@@ -64,8 +64,11 @@ public:
   /// sparse.
   double Spacing(int axis) const { return this->Target[axis]; }
   /// How long the edges of a mesh may be that shows the same detail, in world units: half of the
-  /// spacing along the axis of the greatest extent.
+  /// spacing along the axis of the greatest extent, 0.35 of it for two families.
   double EdgeLength() const;
+  /// How often the mesh is to be made anew and bent with cotangents: once, twice for two families,
+  /// whose contours are close enough together for the surface to settle.
+  int Rounds() const { return this->IsFine ? 2 : 1; }
   /// The number of parts into which planes are to divide a slab of this width; 1 if it is not
   /// sparse.
   int CountParts(int axis, double width) const;
@@ -75,6 +78,7 @@ private:
   Point3 Wide{}; ///< slabs up to that width stay as they are
   int Longest = 0;
   int Stack = -1;
+  bool IsFine = false; ///< two families, neither of them a few slices across the other
   bool Sparse = false;
 };
 

@@ -48,7 +48,10 @@ bool MakeFair(
   const auto flip = [&] { FlipEdges(mesh); };
   const auto split = [&] { SplitLongEdges(edgeLength, mesh); };
   const auto bend = [&] { FairSurface(EdgeWeights::Uniform, mesh); };
-  const auto bendAgain = [&] { FairSurface(EdgeWeights::Cotangents, mesh); };
+  // The contours of one family do not show what is round, and its mesh is stretched where it is thin.
+  const EdgeWeights shown =
+    mesh.StretchAxis < 0 ? EdgeWeights::RoundCotangents : EdgeWeights::Cotangents;
+  const auto bendAgain = [&] { FairSurface(shown, mesh); };
   Steps steps{ collapse, flip, [&] { RefineEdges(edgeLength, mesh); }, collapse, bend };
   if (!guides.Slices.empty())
   {
@@ -57,7 +60,7 @@ bool MakeFair(
     steps.insert(steps.end(), { guide, bend, split, collapse, flip, bend });
   }
   // What was bent without knowing its shape has to be meshed anew, and so has what guides have moved.
-  const int rounds = guides.Slices.empty() ? 1 : 2;
+  const int rounds = guides.Slices.empty() ? density.Rounds() : 2;
   for (int round = 0; round < rounds; ++round)
   {
     steps.insert(steps.end(), { split, collapse, flip, bendAgain });

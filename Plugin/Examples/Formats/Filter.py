@@ -54,6 +54,12 @@ def load_filters():
                       "lib/python3/dist-packages of the build folder into PYTHONPATH.")
 
 
+def load_package():
+    """The package orthogonalslices, whose function reconstruct() has the tables, too."""
+    load_filters()
+    return importlib.import_module("orthogonalslices")
+
+
 def reconstruct(structure, properties=None):
     """The closed surface of one structure. `properties`: names of vtkOrthogonalSliceReconstruction
     without "Set", and their values."""

@@ -10,7 +10,8 @@ in upper or lower case, with or without units and numbers ("X [mm]", "pos_x", "P
     x, y, z (or l, p, s; or r, a, s, as 3D Slicer exports)   the point
     contour..., loop..., polyline..., curve..., roi..., id   a new contour begins where it changes
     slice..., section..., plane..., frame..., layer...       the same; without z also the plane
-    structure..., organ..., object..., label..., name        what the contour belongs to
+    structure..., organ..., object..., body..., label...,    what the contour belongs to
+    name
 
 Without a header, three columns are x, y, z, four are contour, x, y, z, and two are x, y, as in the
 "XY Coordinates" of ImageJ, which has one file for each contour: its slice is the last number in the
@@ -32,7 +33,7 @@ from .Structures import FormatError, Structure
 # How the names of columns begin.
 CONTOUR_NAMES = ("contour", "loop", "polyline", "polygon", "curve", "roi")
 SLICE_NAMES = ("slice", "section", "plane", "frame", "layer")
-STRUCTURE_NAMES = ("structure", "organ", "object", "label", "name")
+STRUCTURE_NAMES = ("structure", "organ", "object", "body", "label", "name")
 # Names of three coordinates, and the signs that turn them into left, posterior, superior.
 POINT_NAMES = ((("x", "y", "z"), (1, 1, 1)), (("0", "1", "2"), (1, 1, 1)),
                (("l", "p", "s"), (1, 1, 1)), (("r", "a", "s"), (-1, -1, 1)), (("x", "y"), (1, 1)))

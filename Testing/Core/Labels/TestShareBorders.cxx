@@ -145,3 +145,16 @@ TEST(ShareBorders, NestedStructuresStay)
   EXPECT_DOUBLE_EQ(AreaOf(structures[1]), 2.0);
   EXPECT_EQ(shared.Sets, (StructureSets{ {}, { 0 }, { 0, 1 } }));
 }
+
+/// A contour that is a sliver beside another structure's goes away, and is counted; so is one that is moved onto
+/// that structure as a whole. What lies apart is none, however thin it is.
+TEST(ShareBorders, WhatVanishesIsCounted)
+{
+  std::vector<Contours> structures{ Rectangle(0, 0, 1, 1), Rectangle(1, 0.2, 1.004, 0.8),
+    Rectangle(2, 0, 2.004, 1) };
+  AddContour({ { 1, 2 }, { 3, 2 }, { 3, 3 }, { 1, 3 } }, structures[1]);
+  const SharedBorders shared = Share(structures);
+  EXPECT_EQ(shared.Vanished, (std::vector<Index>{ 0, 1, 0 }));
+  EXPECT_EQ(structures[1].Count(), 1);
+  EXPECT_EQ(structures[2].Count(), 1);
+}

@@ -10,14 +10,16 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
+#include <vector>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
 
 namespace
 {
-/// So many that no edge of the contours is shorter than four fifths of those asked for: all of their
-/// points stay, and an error of the radius is one of the surface between them.
+/// So many that no edge of the contours is shorter than four fifths of those asked for: all of
+/// their points stay, and an error of the radius is one of the surface between them.
 constexpr Index Segments = 48;
 
 /// Contours of a solid of revolution around the z axis, on planes 1 apart around 0.
@@ -45,7 +47,7 @@ struct Rings
 void Stretch(double stretch, SurfaceMesh& mesh)
 {
   mesh.StretchAxis = 2;
-  std::fill(mesh.Stretch.begin(), mesh.Stretch.end(), stretch);
+  std::fill(mesh.Stretch.begin(), mesh.Stretch.end(), Point3{ stretch, stretch, 1.0 });
 }
 
 template <typename Visit>
@@ -118,8 +120,8 @@ TEST(FairSurface, BetweenTheRingsOfABallItsRadiusIsRight)
 }
 
 //----------------------------------------------------------------------------
-/// A tube that is thin against the distance of its slices is drawn in between them by least bending;
-/// stretched, it is not.
+/// A tube that is thin against the distance of its slices is drawn in between them by least
+/// bending; stretched, it is not.
 TEST(FairSurface, ThinTubesKeepTheirRadiusIfStretched)
 {
   const auto radius = [](double) { return 0.15; };
@@ -133,13 +135,43 @@ TEST(FairSurface, ThinTubesKeepTheirRadiusIfStretched)
 }
 
 //----------------------------------------------------------------------------
+/// Least bending flattens what is round between its contours, the more the rounder; against the
+/// load on it a tube and a ball keep their radius.
+TEST(FairSurface, WhatIsRoundKeepsItsRadius)
+{
+  const auto tube = [](double) { return 0.9; };
+  const auto ball = [](double z) { return std::sqrt(1.44 - z * z); };
+  const std::vector<std::pair<std::function<double(double)>, Index>> shapes{ { tube, 10 },
+    { ball, 3 } };
+  for (const auto& [radius, rings] : shapes)
+  {
+    std::array<double, 2> errors{};
+    for (const EdgeWeights weights : { EdgeWeights::Cotangents, EdgeWeights::RoundCotangents })
+    {
+      SurfaceMesh mesh = Rings(radius, rings).Surface(0.1, 1.05 * radius(0.0));
+      MakeFair(0.1, mesh);
+      for (int round = 0; round < 3; ++round)
+      {
+        FairSurface(weights, mesh);
+      }
+      errors[weights == EdgeWeights::RoundCotangents ? 1 : 0] =
+        RadiusError(mesh, 0.45, radius); // far from the ends
+      ExpectInCells(mesh);
+    }
+    EXPECT_GT(errors[0], 0.003);
+    EXPECT_LT(errors[1], 0.5 * errors[0]);
+  }
+}
+
+//----------------------------------------------------------------------------
 TEST(FairSurface, PointsOfContoursDoNotMove)
 {
   const Rings rings([](double z) { return 1.5 + 0.5 * std::sin(2.0 * z); }, 5);
   SurfaceMesh mesh = rings.Surface(0.3, 4.0);
   RefineEdges(0.5, mesh);
   const SurfaceMesh before = mesh;
-  for (const EdgeWeights weights : { EdgeWeights::Uniform, EdgeWeights::Cotangents })
+  for (const EdgeWeights weights :
+    { EdgeWeights::Uniform, EdgeWeights::Cotangents, EdgeWeights::RoundCotangents })
   {
     FairSurface(weights, mesh);
   }
@@ -177,7 +209,8 @@ TEST(FairSurface, PointsStayInTheirCells)
 }
 
 //----------------------------------------------------------------------------
-/// With an edge around it a flat end stays flat and the side next to it straight; without, it bulges.
+/// With an edge around it a flat end stays flat and the side next to it straight; without, it
+/// bulges.
 TEST(FairSurface, FlatEndsStayFlatWithinTheirCrease)
 {
   const auto radius = [](double) { return 1.2; };
@@ -207,8 +240,8 @@ TEST(FairSurface, FlatEndsStayFlatWithinTheirCrease)
 }
 
 //----------------------------------------------------------------------------
-/// Two contours with a crease each, as of a short rod with flat ends: its side stays straight. Least
-/// bending alone would draw it in as a film of soap.
+/// Two contours with a crease each, as of a short rod with flat ends: its side stays straight.
+/// Least bending alone would draw it in as a film of soap.
 TEST(FairSurface, SideBetweenTwoCreasesStaysStraight)
 {
   const auto radius = [](double) { return 1.0; };
@@ -226,7 +259,8 @@ TEST(FairSurface, SideBetweenTwoCreasesStaysStraight)
 TEST(FairSurface, NothingFixedIsNoReasonToFail)
 {
   SurfaceMesh mesh = FreeSurface(TorusMesh(12, 8), 3.0);
-  for (const EdgeWeights weights : { EdgeWeights::Uniform, EdgeWeights::Cotangents })
+  for (const EdgeWeights weights :
+    { EdgeWeights::Uniform, EdgeWeights::Cotangents, EdgeWeights::RoundCotangents })
   {
     FairSurface(weights, mesh);
     ForPoints(mesh,

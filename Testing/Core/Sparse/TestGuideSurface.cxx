@@ -43,7 +43,7 @@ SurfaceMesh Tube()
     std::vector<std::uint8_t>(8, 0), cell,
     { { { -1, -1, -0.5 }, { 1, 1, 0 } }, { { -1, -1, 0 }, { 1, 1, 1 } },
       { { -1, -1, 1 }, { 1, 1, 1.9 } } },
-    AxisFrame(), -1, std::vector<double>(8, 1.0) };
+    AxisFrame(), -1, std::vector<Point3>(8, SurfaceMesh::Unstretched) };
   for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
   {
     if (mesh.Cell[corner / 3] != mesh.Cell[mesh.Corners.OppositeOf(corner) / 3])

@@ -182,7 +182,10 @@ TEST(SurfaceMesh, ContoursAreCurvesOfFixedPoints)
     const Index vertex = mesh.Corners.VertexOf(corner);
     const Point3& p = mesh.Points[vertex];
     EXPECT_TRUE(mesh.Fixed[vertex] || (cell.Low[2] <= p[2] && p[2] <= cell.High[2]));
-    EXPECT_GE(mesh.Stretch[vertex], 1.0);
+    const Point3& stretch = mesh.Stretch[vertex];
+    EXPECT_GE(stretch[0], 1.0);
+    EXPECT_EQ(stretch[1], stretch[0]);
+    EXPECT_EQ(stretch[2], 1.0); // along the slices alone
     if (mesh.Corners.IsCurve(corner))
     {
       ++curves;
@@ -195,15 +198,43 @@ TEST(SurfaceMesh, ContoursAreCurvesOfFixedPoints)
 }
 
 //----------------------------------------------------------------------------
-/// Of families that are not at right angles, lengths and angles are those of the world; the stretch is
-/// along the slices, whatever the axes are.
+/// With two families, what is thin between their planes is stretched, along both axes of its
+/// slices; what is thick is not, but perhaps for tips.
+TEST(SurfaceMesh, ThinContoursOfTwoFamiliesAreStretched)
+{
+  for (const double thickness : { 0.04, 0.3 })
+  {
+    Solid ring = TorusAround(2, thickness);
+    ring.Tubes = { Torus({ 0.02, -0.01, 0.01 }, { 1.0, 0.9, 0.1 }, 0.65, thickness) };
+    const Sliced sliced(ring, { 12, 12, 0 });
+    GuideCurves none;
+    const SurfaceMesh mesh =
+      MakeSurfaceMesh(GeometryOf(sliced.First), sliced.First.Surface, none, Execution());
+    EXPECT_EQ(mesh.StretchAxis, -1);
+    Index stretched = 0;
+    for (Index point = 0; point < sliced.First.Graph.Count(); ++point)
+    {
+      const Point3& stretch = mesh.Stretch[point];
+      stretched += mesh.IsStretched(point) ? 1 : 0;
+      EXPECT_TRUE(stretch == SurfaceMesh::Unstretched ||
+        std::count(stretch.begin(), stretch.end(), 1.0) == 1);
+      EXPECT_LE(*std::max_element(stretch.begin(), stretch.end()), 2.0);
+    }
+    const double share = static_cast<double>(stretched) / sliced.First.Graph.Count();
+    EXPECT_TRUE(thickness < 0.1 ? share > 0.5 : share < 0.05) << share;
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Of families that are not at right angles, lengths and angles are those of the world; the stretch
+/// is along the slices, whatever the axes are.
 TEST(SurfaceMesh, LengthsAreThoseOfTheWorld)
 {
   const double s = 0.6, c = 0.8;
   const AxisFrame frame({ { { s, 0.0, c }, { 0.0, 1.0, 0.0 }, { 0.0, 0.0, 1.0 } } });
   const Point3 start{ 1.0, 2.0, 3.0 }, inWorld{ 0.3, -0.7, 0.2 };
   SurfaceMesh mesh{ CornerTable(2, {}), { frame.ToAxes(start), frame.ToAxes(start + inWorld) },
-    { 0, 0 }, { 0, 0 }, {}, {}, frame, -1, { 2.0, 2.0 } };
+    { 0, 0 }, { 0, 0 }, {}, {}, frame, -1, { { 2.0, 2.0, 1.0 }, { 2.0, 2.0, 1.0 } } };
   EXPECT_LT(Length(mesh.Edge(0, 1) - inWorld), 1e-14);
   EXPECT_LT(Length(mesh.InWorld(0, 1) - inWorld), 1e-14);
   mesh.StretchAxis = 2;

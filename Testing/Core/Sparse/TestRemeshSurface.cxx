@@ -210,7 +210,7 @@ TEST(RemeshSurface, StretchedSurfacesHaveMoreTriangles)
   SurfaceMesh plain = BallOfRings();
   SurfaceMesh stretched = plain;
   stretched.StretchAxis = 2;
-  std::fill(stretched.Stretch.begin(), stretched.Stretch.end(), 3.0);
+  std::fill(stretched.Stretch.begin(), stretched.Stretch.end(), Point3{ 3.0, 3.0, 1.0 });
   for (SurfaceMesh* mesh : { &plain, &stretched })
   {
     CollapseShortEdges(0.25, *mesh);

@@ -215,6 +215,28 @@ TEST(VirtualPlanes, StacksHaveFewSlicesAcross)
 }
 
 //----------------------------------------------------------------------------
+/// Where a family is missing, the contours of two are close enough together for a finer mesh.
+TEST(VirtualPlanes, MeshesOfTwoFamiliesAreFiner)
+{
+  const auto densityOf = [](const std::array<int, 3>& count)
+  {
+    const SlicedBox box(Cube, count);
+    return SliceDensity(box.Grid, box.Box);
+  };
+  for (const auto& count :
+    { std::array<int, 3>{ 0, 0, 32 }, { 0, 1, 32 }, { 2, 2, 32 }, { 32, 32, 8 } })
+  {
+    EXPECT_NEAR(densityOf(count).EdgeLength(), 0.5 / 32.0, 1e-9);
+    EXPECT_EQ(densityOf(count).Rounds(), 1);
+  }
+  for (const auto& count : { std::array<int, 3>{ 32, 0, 32 }, { 32, 32, 0 } })
+  {
+    EXPECT_NEAR(densityOf(count).EdgeLength(), 0.35 / 32.0, 1e-9);
+    EXPECT_EQ(densityOf(count).Rounds(), 2);
+  }
+}
+
+//----------------------------------------------------------------------------
 /// The rules do not know which axis is which.
 TEST(VirtualPlanes, AxesAreEqual)
 {
