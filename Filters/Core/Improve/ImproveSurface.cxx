@@ -16,8 +16,8 @@ namespace
 /// How often the surface is improved anew, less and less of it where triangles would meet.
 constexpr int MaxRounds = 12;
 
-/// Fixes the corners of triangles that are not apart, as they are and as they were, and so many rings of
-/// points around them.
+/// Fixes the corners that triangles had before, of those that are not apart, and so many rings of points
+/// around them. Only triangles that were changed have to be as they were.
 void FixAround(const ImprovableMesh& mesh, const CornerTable& before,
   const std::vector<std::pair<Index, Index>>& pairs, int rings, std::vector<std::uint8_t>& isFixed)
 {
@@ -26,9 +26,8 @@ void FixAround(const ImprovableMesh& mesh, const CornerTable& before,
   {
     for (const Index triangle : { first, second })
     {
-      for (Index i = 0; i < 3; ++i)
+      for (Index i = 0; i < 3 && mesh.Changed[triangle] != 0; ++i)
       {
-        points.push_back(mesh.Corners.VertexOf(3 * triangle + i));
         points.push_back(before.VertexOf(3 * triangle + i));
       }
     }

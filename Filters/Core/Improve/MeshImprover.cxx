@@ -30,6 +30,12 @@ constexpr double LeastOfCollapse = 0.95;
 /// The cosine of the angle by which a triangle may turn: 60 degrees. Triangles that are slivers have
 /// normals that say nothing; those count as the surface around them.
 constexpr double MostTurn = 0.5;
+
+/// What may be done in addition to the worst triangles that are left: those below the share of the angle
+/// may move the surface by so many tolerances, and turn by 84 degrees.
+constexpr double WorstBound = 0.2;
+constexpr double MoreForWorst = 1.4;
+constexpr double MostTurnOfWorst = 0.1;
 constexpr double SliverQuality = 0.01; ///< of the squared sine: 6 degrees
 
 /// The cosine between a triangle and the surface around it, where it has to be compared with that.
@@ -75,6 +81,8 @@ MeshImprover::MeshImprover(
   : Grid(grid)
   , Limits(limits)
   , Mesh(mesh)
+  , Tolerance(limits.Tolerance)
+  , LeastCosine(MostTurn)
   , Shifts(mesh.Points.size(), 0.0)
 {
   const std::size_t count = static_cast<std::size_t>(mesh.Corners.CornerCount()) / 3;
@@ -130,7 +138,7 @@ Point3 MeshImprover::NormalOfStar() const
 double MeshImprover::DistanceToStar(const Point3& place) const
 {
   double nearest = HUGE_VAL;
-  const double enough = NearEnough * this->Limits.Tolerance;
+  const double enough = NearEnough * this->Tolerance;
   for (const Corners3& t : this->After)
   {
     nearest = std::min(nearest, SquaredDistanceToTriangle(place, t[0], t[1], t[2]));
@@ -147,7 +155,7 @@ double MeshImprover::ShiftOfStar(Index point) const
 {
   const Point3& center = this->Mesh.Points[point];
   double shift = this->DistanceToStar(center);
-  for (std::size_t i = 0; i < this->Star.size() && shift <= this->Limits.Tolerance; ++i)
+  for (std::size_t i = 0; i < this->Star.size() && shift <= this->Tolerance; ++i)
   {
     const Index next = this->Mesh.Corners.VertexOf(CornerTable::Next(this->Star[i]));
     shift = std::max(shift, this->DistanceToStar(Between(center, this->Mesh.Points[next], 0.5)));
@@ -184,7 +192,7 @@ bool MeshImprover::CheckStar(
     const Point3 area = AreaOf(triangle);
     const bool wasSliver = Quality(this->Before[i]) < SliverQuality;
     if (wasSliver ? Cosine(area, around) < MostTilt
-                  : Cosine(area, AreaOf(this->Before[i])) < MostTurn)
+                  : Cosine(area, AreaOf(this->Before[i])) < this->LeastCosine)
     {
       return false;
     }
@@ -216,7 +224,8 @@ void MeshImprover::TryFlip(Index corner, Operation& best) const
     return;
   }
   const Point3 around = AreaOf({ pa, pb, pc }) + AreaOf({ pb, pa, pd });
-  if (Cosine(AreaOf(first), around) < MostTurn || Cosine(AreaOf(second), around) < MostTurn)
+  if (Cosine(AreaOf(first), around) < this->LeastCosine ||
+    Cosine(AreaOf(second), around) < this->LeastCosine)
   {
     return;
   }
@@ -226,7 +235,7 @@ void MeshImprover::TryFlip(Index corner, Operation& best) const
   const double shift = length > 0.0 ? std::abs(Dot(pc - pa, across3)) / length : HUGE_VAL;
   const double known =
     std::max({ this->Shifts[a], this->Shifts[b], this->Shifts[c], this->Shifts[d] });
-  if (shift + known <= this->Limits.Tolerance && corners.CanFlip(corner))
+  if (shift + known <= this->Tolerance && corners.CanFlip(corner))
   {
     best = { Kind::Flip, corner, -1, {}, shift + known, std::min(quality, GoodEnough) };
   }
@@ -254,7 +263,7 @@ void MeshImprover::TryCollapse(Index corner, Operation& best) const
     return;
   }
   const double shift = std::max(this->Shifts[start], this->Shifts[end]) + this->ShiftOfStar(start);
-  if (shift <= this->Limits.Tolerance && corners.CanCollapse(corner))
+  if (shift <= this->Tolerance && corners.CanCollapse(corner))
   {
     best = { Kind::Collapse, corner, -1, {}, shift, std::min(quality, GoodEnough) };
   }
@@ -296,7 +305,7 @@ void MeshImprover::TryMove(Index point, Operation& best) const
       continue;
     }
     const double shift = this->Shifts[point] + this->ShiftOfStar(point);
-    if (shift <= this->Limits.Tolerance)
+    if (shift <= this->Tolerance)
     {
       best = { Kind::Move, -1, point, place, shift, std::min(quality, GoodEnough) };
     }
@@ -369,10 +378,10 @@ bool MeshImprover::Improve(Index triangle, bool withMoves)
   }
   std::sort(sides.begin(), sides.end());
   this->TryFlip(sides[2].second, best);
-  for (const auto& side : sides)
+  for (const int i : { 0, 1 })
   {
-    this->TryCollapse(side.second, best);
-    this->TryCollapse(this->Mesh.Corners.OppositeOf(side.second), best);
+    this->TryCollapse(sides[i].second, best);
+    this->TryCollapse(this->Mesh.Corners.OppositeOf(sides[i].second), best);
     if (best.Quality >= Satisfying)
     {
       break; // what is better elsewhere is not worth looking for
@@ -443,5 +452,9 @@ void MeshImprover::Run()
     this->RunBelow(quality, false);
     this->RunBelow(quality, true);
   }
+  this->Tolerance *= MoreForWorst;
+  this->LeastCosine = MostTurnOfWorst;
+  std::fill(this->FailedAt.begin(), this->FailedAt.end(), std::array<Index, 2>{ 0, 0 });
+  this->RunBelow(qualityOf(WorstBound * this->Limits.SmallAngle), true);
 }
 }

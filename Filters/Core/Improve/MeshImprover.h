@@ -23,7 +23,8 @@ struct ImprovableMesh
 /// What may be done to a surface.
 struct ImprovementLimits
 {
-  double Tolerance = 0.0;  ///< how far the surface may move, in world units
+  double Tolerance =
+    0.0; ///< how far the surface may move, in world units; 1.4 times beside the worst
   double SmallAngle = 0.0; ///< triangles with a smaller one are to be improved, in degrees
 };
 
@@ -79,6 +80,8 @@ private:
   const SpatialGrid& Grid;
   ImprovementLimits Limits;
   ImprovableMesh& Mesh;
+  double Tolerance = 0.0;       ///< how far the surface may move now,
+  double LeastCosine = 0.0;     ///< and by which angle triangles may turn
   std::vector<double> Shifts;   ///< of each point: how far the surface has moved near it
   Index Now = 1;                ///< counts operations
   std::vector<Index> TouchedAt; ///< of each point: the last operation beside it
