@@ -69,6 +69,20 @@ void ListLeft(const CornerTable& corners, std::vector<std::array<Index, 3>>& tri
   }
 }
 
+/// The surface's normals at all points; zero where it has none.
+std::vector<Point3> ListNormals(
+  const SurfaceNormals& normals, const Patches& patches, Index graphPoints, std::size_t count)
+{
+  const std::vector<float> smooth =
+    ListSmoothNormals(normals, patches, graphPoints, static_cast<std::int64_t>(count));
+  std::vector<Point3> result(count, Point3{ 0.0, 0.0, 0.0 });
+  for (std::size_t i = 0; 3 * i < smooth.size(); ++i)
+  {
+    result[i] = { smooth[3 * i], smooth[3 * i + 1], smooth[3 * i + 2] };
+  }
+  return result;
+}
+
 /// Numbers the points that are in use from 0 on.
 void SetImproved(const ImprovableMesh& mesh, const std::vector<std::array<Index, 3>>& triangles,
   const std::vector<Index>& numbers, Patches& patches)
@@ -116,16 +130,7 @@ void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals
     return;
   }
   const std::size_t count = all.Points.size();
-  const std::vector<float> smooth =
-    ListSmoothNormals(normals, patches, geometry.Graph.Count(), static_cast<std::int64_t>(count));
-  std::vector<Point3> normalAt(count, Point3{ 0.0, 0.0, 0.0 });
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    if (!smooth.empty())
-    {
-      normalAt[i] = { smooth[3 * i], smooth[3 * i + 1], smooth[3 * i + 2] };
-    }
-  }
+  const std::vector<Point3> normalAt = ListNormals(normals, patches, geometry.Graph.Count(), count);
   const CornerTable corners(static_cast<Index>(count), all.Triangles);
   std::vector<std::uint8_t> isFixed(count, 0);
   std::vector<std::array<Index, 3>> triangles;

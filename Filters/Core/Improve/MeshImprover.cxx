@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Improve/MeshImprover.h"
 
-#include "Core/Base/TriangleDistance.h"
 #include "Core/Base/Vectors.h"
 
 #include <algorithm>
@@ -27,8 +26,7 @@ constexpr double LeastGain = 1.02;
 /// The same of a collapse, which leaves two triangles less, so that the next one may gain more.
 constexpr double LeastOfCollapse = 0.95;
 
-/// The cosine of the angle by which a triangle may turn: 60 degrees. Triangles that are slivers have
-/// normals that say nothing; those count as the surface around them.
+/// The cosine of the angle by which a triangle may turn: 60 degrees.
 constexpr double MostTurn = 0.5;
 
 /// What may be done in addition to the worst triangles that are left: those below the share of the angle
@@ -36,10 +34,6 @@ constexpr double MostTurn = 0.5;
 constexpr double WorstBound = 0.2;
 constexpr double MoreForWorst = 1.4;
 constexpr double MostTurnOfWorst = 0.1;
-constexpr double SliverQuality = 0.01; ///< of the squared sine: 6 degrees
-
-/// The cosine between a triangle and the surface around it, where it has to be compared with that.
-constexpr double MostTilt = 0.2;
 
 /// Quality that is taken as it comes: 25 degrees.
 constexpr double Satisfying = 0.18;
@@ -47,33 +41,8 @@ constexpr double Satisfying = 0.18;
 /// Quality beyond which none is better than another one: 35 degrees.
 constexpr double GoodEnough = 0.33;
 
-/// The share of the tolerance up to which distances need not be known exactly.
-constexpr double NearEnough = 0.1;
-
 /// Triangles at a point, at most: many more would cost time, and have small angles anyway.
 constexpr std::size_t MaxValence = 32;
-
-using Corners3 = std::array<Point3, 3>;
-
-/// Twice the area, along the normal.
-Point3 AreaOf(const Corners3& t) { return Cross(t[1] - t[0], t[2] - t[0]); }
-
-/// The squared sine of the smallest angle, which the two longer sides enclose.
-double Quality(const Corners3& t)
-{
-  const Point3 area = AreaOf(t);
-  const double a = SquaredDistance(t[0], t[1]);
-  const double b = SquaredDistance(t[1], t[2]);
-  const double c = SquaredDistance(t[2], t[0]);
-  const double product = std::max({ a * b, b * c, c * a });
-  return product > 0.0 ? Dot(area, area) / product : 0.0;
-}
-
-double Cosine(const Point3& a, const Point3& b)
-{
-  const double lengths = std::sqrt(Dot(a, a) * Dot(b, b));
-  return lengths > 0.0 ? Dot(a, b) / lengths : 0.0;
-}
 }
 
 MeshImprover::MeshImprover(
@@ -91,7 +60,7 @@ MeshImprover::MeshImprover(
   this->FailedAt.assign(count, { 0, 0 });
 }
 
-MeshImprover::Corners3 MeshImprover::PlacesOf(Index triangle) const
+TriangleCorners MeshImprover::PlacesOf(Index triangle) const
 {
   const CornerTable& corners = this->Mesh.Corners;
   return { this->Mesh.Points[corners.VertexOf(3 * triangle)],
@@ -99,106 +68,19 @@ MeshImprover::Corners3 MeshImprover::PlacesOf(Index triangle) const
     this->Mesh.Points[corners.VertexOf(3 * triangle + 2)] };
 }
 
-double MeshImprover::QualityOf(Index triangle) const { return Quality(this->PlacesOf(triangle)); }
-
-/// Lists the corners at a point and their triangles.
-void MeshImprover::GetStar(Index point) const
+double MeshImprover::QualityOf(Index triangle) const
 {
-  this->Star.clear();
-  this->Before.clear();
-  this->Mesh.Corners.ForCornersAt(point,
-    [&](Index corner)
-    {
-      this->Star.push_back(corner);
-      this->Before.push_back(this->PlacesOf(corner / 3));
-    });
+  return SquaredSine(this->PlacesOf(triangle));
 }
 
-/// Whether no triangle of the star that was listed has a fixed point.
+/// Whether no triangle of the star that was set has a fixed point.
 bool MeshImprover::IsFree(Index point) const
 {
   const CornerTable& corners = this->Mesh.Corners;
   return this->Mesh.Fixed[point] == 0 &&
-    std::all_of(this->Star.begin(), this->Star.end(),
+    std::all_of(this->Star.Corners.begin(), this->Star.Corners.end(),
       [&](Index corner)
       { return this->Mesh.Fixed[corners.VertexOf(CornerTable::Next(corner))] == 0; });
-}
-
-Point3 MeshImprover::NormalOfStar() const
-{
-  Point3 sum{ 0.0, 0.0, 0.0 };
-  for (const Corners3& triangle : this->Before)
-  {
-    sum = sum + AreaOf(triangle);
-  }
-  return Unit(sum);
-}
-
-/// The distance of a place from the triangles as they would be, or a little more.
-double MeshImprover::DistanceToStar(const Point3& place) const
-{
-  double nearest = HUGE_VAL;
-  const double enough = NearEnough * this->Tolerance;
-  for (const Corners3& t : this->After)
-  {
-    nearest = std::min(nearest, SquaredDistanceToTriangle(place, t[0], t[1], t[2]));
-    if (nearest <= enough * enough)
-    {
-      return enough;
-    }
-  }
-  return std::sqrt(nearest);
-}
-
-/// How far a point and the middles of its edges are from the triangles as they would be.
-double MeshImprover::ShiftOfStar(Index point) const
-{
-  const Point3& center = this->Mesh.Points[point];
-  double shift = this->DistanceToStar(center);
-  for (std::size_t i = 0; i < this->Star.size() && shift <= this->Tolerance; ++i)
-  {
-    const Index next = this->Mesh.Corners.VertexOf(CornerTable::Next(this->Star[i]));
-    shift = std::max(shift, this->DistanceToStar(Between(center, this->Mesh.Points[next], 0.5)));
-  }
-  return shift;
-}
-
-/// Whether the triangles at a point, whose star was listed, are unfolded and better than `floor` if the
-/// point goes to a place. Triangles with the point `left` vanish.
-bool MeshImprover::CheckStar(
-  Index point, const Point3& place, Index left, double floor, double& quality) const
-{
-  const CornerTable& corners = this->Mesh.Corners;
-  static_cast<void>(point);
-  const Point3 around = this->NormalOfStar();
-  this->After.clear();
-  quality = 1.0;
-  for (std::size_t i = 0; i < this->Star.size(); ++i)
-  {
-    const Index corner = this->Star[i];
-    const Index next = CornerTable::Next(corner), previous = CornerTable::Previous(corner);
-    if (corners.VertexOf(next) == left || corners.VertexOf(previous) == left)
-    {
-      continue;
-    }
-    Corners3 triangle = this->Before[i];
-    triangle[corner % 3] = place;
-    const double now = Quality(triangle);
-    quality = std::min(quality, now);
-    if (!(quality > floor))
-    {
-      return false;
-    }
-    const Point3 area = AreaOf(triangle);
-    const bool wasSliver = Quality(this->Before[i]) < SliverQuality;
-    if (wasSliver ? Cosine(area, around) < MostTilt
-                  : Cosine(area, AreaOf(this->Before[i])) < this->LeastCosine)
-    {
-      return false;
-    }
-    this->After.push_back(triangle);
-  }
-  return !this->After.empty();
 }
 
 void MeshImprover::TryFlip(Index corner, Operation& best) const
@@ -216,16 +98,16 @@ void MeshImprover::TryFlip(Index corner, Operation& best) const
   }
   const Point3 &pa = this->Mesh.Points[a], &pb = this->Mesh.Points[b], &pc = this->Mesh.Points[c],
                &pd = this->Mesh.Points[d];
-  const Corners3 first{ pa, pd, pc }, second{ pd, pb, pc };
+  const TriangleCorners first{ pa, pd, pc }, second{ pd, pb, pc };
   const double before = std::min(this->QualityOf(corner / 3), this->QualityOf(across / 3));
-  const double quality = std::min(Quality(first), Quality(second));
+  const double quality = std::min(SquaredSine(first), SquaredSine(second));
   if (!(quality > LeastGain * before) || std::min(quality, GoodEnough) <= best.Quality)
   {
     return;
   }
   const Point3 around = AreaOf({ pa, pb, pc }) + AreaOf({ pb, pa, pd });
-  if (Cosine(AreaOf(first), around) < this->LeastCosine ||
-    Cosine(AreaOf(second), around) < this->LeastCosine)
+  if (CosineBetween(AreaOf(first), around) < this->LeastCosine ||
+    CosineBetween(AreaOf(second), around) < this->LeastCosine)
   {
     return;
   }
@@ -246,23 +128,26 @@ void MeshImprover::TryCollapse(Index corner, Operation& best) const
 {
   const CornerTable& corners = this->Mesh.Corners;
   const Index start = corners.StartOf(corner), end = corners.EndOf(corner);
-  this->GetStar(start);
+  this->Star.Set(this->Mesh.Corners, this->Mesh.Points, start);
   if (!this->IsFree(start) ||
-    this->Star.size() + static_cast<std::size_t>(corners.Valence(end)) > MaxValence)
+    this->Star.Corners.size() + static_cast<std::size_t>(corners.Valence(end)) > MaxValence)
   {
     return;
   }
   double before = 1.0, quality = 1.0;
-  for (const Corners3& triangle : this->Before)
+  for (const TriangleCorners& triangle : this->Star.Before)
   {
-    before = std::min(before, Quality(triangle));
+    before = std::min(before, SquaredSine(triangle));
   }
   const double floor = std::max(LeastOfCollapse * before, best.Quality);
-  if (!(GoodEnough > floor) || !this->CheckStar(start, this->Mesh.Points[end], end, floor, quality))
+  if (!(GoodEnough > floor) ||
+    !this->Star.Try(
+      this->Mesh.Corners, { this->Mesh.Points[end], end, floor, this->LeastCosine }, quality))
   {
     return;
   }
-  const double shift = std::max(this->Shifts[start], this->Shifts[end]) + this->ShiftOfStar(start);
+  const double shift = std::max(this->Shifts[start], this->Shifts[end]) +
+    this->Star.Shift(this->Mesh.Points[start], this->Tolerance);
   if (shift <= this->Tolerance && corners.CanCollapse(corner))
   {
     best = { Kind::Collapse, corner, -1, {}, shift, std::min(quality, GoodEnough) };
@@ -272,7 +157,7 @@ void MeshImprover::TryCollapse(Index corner, Operation& best) const
 /// Looks at moves of a point towards the middle of those around it.
 void MeshImprover::TryMove(Index point, Operation& best) const
 {
-  this->GetStar(point);
+  this->Star.Set(this->Mesh.Corners, this->Mesh.Points, point);
   if (!this->IsFree(point))
   {
     return;
@@ -280,17 +165,17 @@ void MeshImprover::TryMove(Index point, Operation& best) const
   const CornerTable& corners = this->Mesh.Corners;
   double before = 1.0;
   Point3 middle{ 0.0, 0.0, 0.0 };
-  for (std::size_t i = 0; i < this->Star.size(); ++i)
+  for (std::size_t i = 0; i < this->Star.Corners.size(); ++i)
   {
-    before = std::min(before, Quality(this->Before[i]));
+    before = std::min(before, SquaredSine(this->Star.Before[i]));
     middle = middle +
-      (1.0 / this->Star.size()) *
-        this->Mesh.Points[corners.VertexOf(CornerTable::Next(this->Star[i]))];
+      (1.0 / this->Star.Corners.size()) *
+        this->Mesh.Points[corners.VertexOf(CornerTable::Next(this->Star.Corners[i]))];
   }
   const Point3& from = this->Mesh.Points[point];
   const Point3 normal = Dot(this->Mesh.Normals[point], this->Mesh.Normals[point]) > 0.0
     ? this->Mesh.Normals[point]
-    : this->NormalOfStar();
+    : this->Star.Normal();
   const Point3 along = (middle - from) - Dot(middle - from, normal) * normal;
   for (const double step : { 1.0, 0.6, 0.3 })
   {
@@ -300,11 +185,12 @@ void MeshImprover::TryMove(Index point, Operation& best) const
       place[axis] = this->Grid.MoveIntoBounds(axis, place[axis]);
     }
     double quality;
-    if (!this->CheckStar(point, place, -1, std::max(LeastGain * before, best.Quality), quality))
+    if (!this->Star.Try(this->Mesh.Corners,
+          { place, -1, std::max(LeastGain * before, best.Quality), this->LeastCosine }, quality))
     {
       continue;
     }
-    const double shift = this->Shifts[point] + this->ShiftOfStar(point);
+    const double shift = this->Shifts[point] + this->Star.Shift(from, this->Tolerance);
     if (shift <= this->Tolerance)
     {
       best = { Kind::Move, -1, point, place, shift, std::min(quality, GoodEnough) };

@@ -3,8 +3,8 @@
 #ifndef OrthoSlicesMeshImprover_h
 #define OrthoSlicesMeshImprover_h
 
+#include "Core/Improve/PointStar.h"
 #include "Core/Slices/SpatialGrid.h"
-#include "Core/Sparse/CornerTable.h"
 
 #include <vector>
 
@@ -23,8 +23,8 @@ struct ImprovableMesh
 /// What may be done to a surface.
 struct ImprovementLimits
 {
-  double Tolerance =
-    0.0; ///< how far the surface may move, in world units; 1.4 times beside the worst
+  /// How far the surface may move, in world units; beside the worst triangles, 1.4 times as far.
+  double Tolerance = 0.0;
   double SmallAngle = 0.0; ///< triangles with a smaller one are to be improved, in degrees
 };
 
@@ -58,8 +58,6 @@ private:
     double Shift = 0.0; ///< of the surface
     double Quality = 0.0;
   };
-  using Corners3 = std::array<Point3, 3>;
-
   void RunBelow(double quality, bool withMoves);
   bool Improve(Index triangle, bool withMoves);
   bool MayHelp(Index triangle, bool withMoves) const;
@@ -69,13 +67,8 @@ private:
   void TryMove(Index point, Operation& best) const;
   void Apply(const Operation& operation);
   double QualityOf(Index triangle) const;
-  Corners3 PlacesOf(Index triangle) const;
-  void GetStar(Index point) const;
+  TriangleCorners PlacesOf(Index triangle) const;
   bool IsFree(Index point) const;
-  Point3 NormalOfStar() const;
-  double DistanceToStar(const Point3& place) const;
-  double ShiftOfStar(Index point) const;
-  bool CheckStar(Index point, const Point3& place, Index left, double floor, double& quality) const;
 
   const SpatialGrid& Grid;
   ImprovementLimits Limits;
@@ -85,12 +78,10 @@ private:
   std::vector<double> Shifts;   ///< of each point: how far the surface has moved near it
   Index Now = 1;                ///< counts operations
   std::vector<Index> TouchedAt; ///< of each point: the last operation beside it
-  std::vector<std::array<Index, 2>>
-    FailedAt;              ///< of each triangle: when nothing helped it, without and with moves
+  /// Of each triangle: when nothing helped it, without and with moves.
+  std::vector<std::array<Index, 2>> FailedAt;
   std::vector<Index> Open; ///< triangles to be looked at
-  mutable std::vector<Index> Star;      ///< corners at a point
-  mutable std::vector<Corners3> Before; ///< their triangles as they are,
-  mutable std::vector<Corners3> After;  ///< and as they would be
+  mutable PointStar Star;  ///< of the point that is looked at
 };
 }
 
