@@ -141,17 +141,18 @@ bool vtkOrthogonalSliceReconstruction::CheckProperties()
     return false;
   }
   // NaN is neither below nor above the range to which tolerances are clamped.
-  for (const auto& tolerance : { std::make_pair("PlaneTolerance", this->PlaneTolerance),
-         std::make_pair("ReportTolerance", this->ReportTolerance),
-         std::make_pair("MinimumComponentSize", this->MinimumComponentSize),
-         std::make_pair("MinimumIsolatedContourSize", this->MinimumIsolatedContourSize),
-         std::make_pair("EdgeLength", this->EdgeLength),
-         std::make_pair("ChordTolerance", this->ChordTolerance),
-         std::make_pair("CornerAngle", this->CornerAngle),
-         std::make_pair("Smoothing", this->Smoothing),
-         std::make_pair("RedrawnTolerance", this->RedrawnTolerance),
-         std::make_pair("VirtualSliceSpacing", this->VirtualSliceSpacing),
-         std::make_pair("ContourTolerance", this->ContourTolerance) })
+  for (const auto& tolerance :
+    { std::make_pair("PlaneTolerance", this->PlaneTolerance),
+      std::make_pair("ReportTolerance", this->ReportTolerance),
+      std::make_pair("MinimumComponentSize", this->MinimumComponentSize),
+      std::make_pair("MinimumIsolatedContourSize", this->MinimumIsolatedContourSize),
+      std::make_pair("EdgeLength", this->EdgeLength),
+      std::make_pair("ChordTolerance", this->ChordTolerance),
+      std::make_pair("Accuracy", this->Accuracy), std::make_pair("CornerAngle", this->CornerAngle),
+      std::make_pair("Smoothing", this->Smoothing),
+      std::make_pair("RedrawnTolerance", this->RedrawnTolerance),
+      std::make_pair("VirtualSliceSpacing", this->VirtualSliceSpacing),
+      std::make_pair("ContourTolerance", this->ContourTolerance) })
   {
     if (std::isnan(tolerance.second))
     {
@@ -208,6 +209,8 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.Patching.Method = PatchTypes[this->PatchType].Value;
   options.Patching.EdgeLength = this->EdgeLength;
   options.Patching.ChordTolerance = this->ChordTolerance;
+  options.Patching.Accuracy = this->Accuracy;
+  options.Patching.OwnAccuracy = this->AutomaticAccuracy;
   options.Patching.CornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
 }
 
@@ -250,6 +253,8 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PatchType: " << PatchTypes[this->PatchType].Name << "\n";
   os << indent << "EdgeLength: " << this->EdgeLength << "\n";
   os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
+  os << indent << "Accuracy: " << this->Accuracy << "\n";
+  os << indent << "AutomaticAccuracy: " << (this->AutomaticAccuracy ? "On" : "Off") << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "ContourTolerance: " << this->ContourTolerance << "\n";

@@ -107,6 +107,8 @@ TEST(PatchProperties, DefaultsAndRanges)
   EXPECT_EQ(filter->GetPatchType(), Filter::SMOOTH);
   EXPECT_EQ(filter->GetEdgeLength(), 0.25);
   EXPECT_EQ(filter->GetChordTolerance(), 0.0);
+  EXPECT_EQ(filter->GetAccuracy(), 0.0);
+  EXPECT_FALSE(filter->GetAutomaticAccuracy());
   EXPECT_EQ(filter->GetCornerAngle(), 60.0);
   EXPECT_EQ(filter->GetSmoothing(), 0.0);
   EXPECT_EQ(filter->GetContourTolerance(), 0.0);
@@ -118,6 +120,8 @@ TEST(PatchProperties, DefaultsAndRanges)
   EXPECT_EQ(filter->GetEdgeLength(), 0.02);
   filter->SetChordTolerance(-1.0);
   EXPECT_EQ(filter->GetChordTolerance(), 0.0);
+  filter->SetAccuracy(-1.0);
+  EXPECT_EQ(filter->GetAccuracy(), 0.0);
   filter->SetCornerAngle(1000.0);
   EXPECT_EQ(filter->GetCornerAngle(), 180.0);
   filter->SetSmoothing(-2.0);
@@ -133,6 +137,8 @@ TEST(PatchProperties, SettersChangeTheTimeAndAreAllPrinted)
     { "PatchType: Coons", [](Filter* f) { f->SetPatchTypeToCoons(); } },
     { "EdgeLength: 0.5", [](Filter* f) { f->SetEdgeLength(0.5); } },
     { "ChordTolerance: 0.125", [](Filter* f) { f->SetChordTolerance(0.125); } },
+    { "Accuracy: 0.0625", [](Filter* f) { f->SetAccuracy(0.0625); } },
+    { "AutomaticAccuracy: On", [](Filter* f) { f->AutomaticAccuracyOn(); } },
     { "CornerAngle: 45", [](Filter* f) { f->SetCornerAngle(45.0); } },
     { "Smoothing: 0.75", [](Filter* f) { f->SetSmoothing(0.75); } },
     { "ContourTolerance: 0.0625", [](Filter* f) { f->SetContourTolerance(0.0625); } },
@@ -148,6 +154,7 @@ TEST(PatchProperties, NumbersThatAreNoneAreErrors)
   const std::vector<std::pair<const char*, Change>> changes{
     { "EdgeLength", [none](Filter* f) { f->SetEdgeLength(none); } },
     { "ChordTolerance", [none](Filter* f) { f->SetChordTolerance(none); } },
+    { "Accuracy", [none](Filter* f) { f->SetAccuracy(none); } },
     { "CornerAngle", [none](Filter* f) { f->SetCornerAngle(none); } },
     { "Smoothing", [none](Filter* f) { f->SetSmoothing(none); } },
     { "ContourTolerance", [none](Filter* f) { f->SetContourTolerance(none); } },
@@ -285,6 +292,65 @@ TEST(PatchProperties, ThinnedContoursStayWithinTheTolerance)
 }
 
 //----------------------------------------------------------------------------
+/// Few triangles of good shape, as accurate as was asked for.
+TEST(PatchProperties, AccuracyMakesFewTrianglesOfGoodShape)
+{
+  const SmoothSolid solid = SmoothTorus();
+  const PieceSets sets = SlicesOf(solid, 20, 10);
+  const double spacing = 2.2 / 20; // at least
+  const auto all = Surface(sets, [](Filter*) {});
+  const auto fewer = Surface(sets, [](Filter* f) { f->SetAccuracy(0.025); });
+  const auto few = Surface(sets, [](Filter* f) { f->SetAccuracy(0.1); });
+  EXPECT_LT(fewer->GetNumberOfCells(), all->GetNumberOfCells() / 6);
+  EXPECT_LT(few->GetNumberOfCells(), 0.7 * fewer->GetNumberOfCells());
+  EXPECT_LT(AccuracyOf(fewer, solid).Distance, 0.2 * 0.025 * spacing);
+  EXPECT_LT(AccuracyOf(few, solid).Distance, 0.2 * 0.1 * spacing);
+  for (const auto& surface : { fewer, few })
+  {
+    EXPECT_GT(QualityOf(surface, "ShareOfTrianglesAbove20Degrees"), 0.99);
+    EXPECT_GT(QualityOf(surface, "SmallestAngle"), 1.0);
+    EXPECT_LT(QualityOf(surface, "LargestAspectRatio"), 100.0);
+    const SurfaceCheck check = CheckSurface(MeshOf(surface));
+    EXPECT_TRUE(check.IsClosedManifold());
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Smooth solids are met far better than real shapes; where nothing is to be gained any more, what
+/// is added is a small part of the spacing.
+TEST(PatchProperties, AutomaticAccuracyFollowsTheError)
+{
+  for (const SmoothSolid& solid : { SmoothTorus(), SmoothEllipsoid() })
+  {
+    SCOPED_TRACE(solid.Name);
+    double before = HUGE_VAL;
+    for (const int planes : { 8, 16 })
+    {
+      const PieceSets sets = SlicesOf(solid, planes, 10);
+      const auto all = Surface(sets, [](Filter*) {});
+      const auto few = Surface(sets, [](Filter* f) { f->AutomaticAccuracyOn(); });
+      EXPECT_LT(few->GetNumberOfCells(), all->GetNumberOfCells());
+      const double error = AccuracyOf(few, solid).Distance;
+      EXPECT_LT(error, 2.5 * AccuracyOf(all, solid).Distance + 0.0005 * 2.2 / planes);
+      EXPECT_LT(error, 0.25 * before);
+      before = error;
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(PatchProperties, AutomaticAccuracyTakesASixthOfTheTriangles)
+{
+  const PieceSets sets = ReadPieceSets({ "heart", 1, 0, false }, 16);
+  const auto all = Surface(sets, [](Filter*) {});
+  const auto few = Surface(sets, [](Filter* f) { f->AutomaticAccuracyOn(); });
+  EXPECT_LT(few->GetNumberOfCells(), all->GetNumberOfCells() / 6);
+  EXPECT_GT(QualityOf(few, "ShareOfTrianglesAbove20Degrees"), 0.98);
+  const double volume = CheckSurface(MeshOf(all)).TotalVolume();
+  EXPECT_NEAR(CheckSurface(MeshOf(few)).TotalVolume(), volume, 1e-3 * volume);
+}
+
+//----------------------------------------------------------------------------
 TEST(PatchProperties, CurvaturesOfATorusAreKnown)
 {
   const SmoothSolid solid = SmoothTorus(); // radii 0.62 and 0.27
@@ -321,6 +387,9 @@ TEST(PatchProperties, GuaranteesHoldForAllSettings)
     [](Filter* f) { f->SetCornerAngle(20.0); },
     [](Filter* f) { f->SetSmoothing(3.0); },
     [](Filter* f) { f->SetContourTolerance(0.05); },
+    [](Filter* f) { f->SetAccuracy(0.025); },
+    [](Filter* f) { f->SetAccuracy(0.2); },
+    [](Filter* f) { f->AutomaticAccuracyOn(); },
     [](Filter* f)
     {
       f->SetSmoothing(1.0);

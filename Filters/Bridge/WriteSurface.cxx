@@ -58,15 +58,35 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
   cells->SetData(offsets, connectivity);
 }
 
-/// Distance of the two contours at the node points, 0 at all other points.
-void AddDisagreement(const Reconstruction& result, vtkIdType points, vtkPointData* data)
+/// The values of some of all points.
+std::vector<float> SelectTuples(
+  const std::vector<float>& values, std::size_t components, const std::vector<std::int64_t>& points)
 {
-  float* out = AddArray<vtkFloatArray>(data, "Disagreement", 1, points)->GetPointer(0);
-  std::fill(out, out + points, 0.0f);
+  std::vector<float> selected;
+  selected.reserve(components * points.size());
+  for (const std::int64_t point : points)
+  {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(components * point);
+    selected.insert(selected.end(), first, first + static_cast<std::ptrdiff_t>(components));
+  }
+  return selected;
+}
+
+/// Distance of the two contours at the node points, 0 at all other points; of all or of some of them.
+void AddDisagreement(const Reconstruction& result, vtkIdType points,
+  const std::vector<std::int64_t>* some, vtkPointData* data)
+{
+  std::vector<float> values(points, 0.0f);
   for (Index node = 0; node < result.Graph.Nodes; ++node)
   {
-    out[node] = static_cast<float>(result.Nodes.Disagreement(node));
+    values[node] = static_cast<float>(result.Nodes.Disagreement(node));
   }
+  if (some)
+  {
+    values = SelectTuples(values, 1, *some);
+  }
+  float* out = AddArray<vtkFloatArray>(data, "Disagreement", 1, values.size())->GetPointer(0);
+  std::copy(values.begin(), values.end(), out);
 }
 
 /**
@@ -146,11 +166,21 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   const vtkIdType allCenters = vtkIdType(graphPoints) + result.Cycles.Count();
   std::vector<double> otherPoints = ListOtherPoints(result.Surface);
   const vtkIdType allPoints = allCenters + static_cast<vtkIdType>(otherPoints.size() / 3);
+  const std::vector<std::int64_t> origins = std::move(result.Surface.Improved.Origin);
+  const bool isImproved = result.Surface.Improved.Any();
   result.Surface.Inner.Points = {};
-  auto points = NewPoints(doublePrecision, allPoints);
-  CopyPoints(result.Graph.Points, 0, points);
-  CopyPoints(result.Surface.CentralPoints, graphPoints, points);
-  CopyPoints(otherPoints, allCenters, points);
+  auto points =
+    NewPoints(doublePrecision, isImproved ? static_cast<vtkIdType>(origins.size()) : allPoints);
+  if (isImproved)
+  {
+    CopyPoints(result.Surface.Improved.Points, 0, points);
+  }
+  else
+  {
+    CopyPoints(result.Graph.Points, 0, points);
+    CopyPoints(result.Surface.CentralPoints, graphPoints, points);
+    CopyPoints(otherPoints, allCenters, points);
+  }
   otherPoints = {};
   result.Graph.Points = {};
   result.Surface.CentralPoints = {};
@@ -166,10 +196,14 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   }
   surface->SetPolys(cells);
   AddFieldData(result, surface->GetFieldData());
-  AddDisagreement(result, surface->GetNumberOfPoints(), surface->GetPointData());
-  const std::vector<float> smooth = withNormals
+  AddDisagreement(result, allPoints, isImproved ? &origins : nullptr, surface->GetPointData());
+  std::vector<float> smooth = withNormals
     ? ListSmoothNormals(result.Normals, result.Surface, graphPoints, allPoints)
     : std::vector<float>();
+  if (isImproved && !smooth.empty())
+  {
+    smooth = SelectTuples(smooth, 3, origins);
+  }
   FillCellArrays(result, reportTolerance, surface->GetCellData());
   result = Reconstruction();
   AddQuality(surface, execution);

@@ -124,6 +124,8 @@ bool AddBorderSlices(Pass& pass)
   Pass sketch(pass, ContinueBeyond(pass.Tables.Contours, border, spacing));
   pass.Tables.Border = given;
   sketch.SetShare(0.0, 0.5);
+  sketch.Settings.Patching.Accuracy = 0.0; // its contours are cut
+  sketch.Settings.Patching.OwnAccuracy = false;
   if (!ConnectContours(sketch) || !FillCycles(sketch.Settings.Patching, sketch))
   {
     pass.Result.Stopped = true;

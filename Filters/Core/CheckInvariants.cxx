@@ -91,7 +91,11 @@ std::string FindViolation(Stage stage, const StageTables& tables, const Reconstr
     case Stage::SeparatePatches:
       return CheckPatchMeshes(geometry, result.Surface.Meshes);
     case Stage::BuildInnerPatches:
-      return CheckInnerPatches(geometry, result.Surface.Inner);
+    {
+      const std::string wrong =
+        CheckEmbedding(result.Grid, result.Crossings, result.Nodes, result.Graph);
+      return wrong.empty() ? CheckInnerPatches(geometry, result.Surface.Inner) : wrong;
+    }
     default:
       return {};
   }

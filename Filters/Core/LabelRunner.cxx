@@ -50,6 +50,8 @@ LabelRunner::LabelRunner(
   , Execute(execution)
 {
   this->Settings.Patching.Shared = &this->Shared;
+  this->Settings.Patching.Accuracy = 0.0; // on common borders, triangles of all are the same
+  this->Settings.Patching.OwnAccuracy = false;
   this->Settings.Junctions = &this->Junctions;
   for (const SortedSlices& label : labels)
   {

@@ -36,8 +36,10 @@ namespace orthoslices
  *   SeparatePatches     discs, tubes and branchings that do not cross            (our own)
  *   FindUndecidedPlaces what the slices leave open, and where to slice next      (our own)
  *   EstimateNormals     normals of the surface along all contours                (our own)
+ *   LightenArcs         arcs with few vertices, if asked for                     (our own)
  *   BuildInnerPatches   smooth patches, or the paper's                           (section 5)
  *   LayOutTriangles     all patches as triangles                                 (section 5)
+ *   ImproveSurface      triangles of good shape, if asked for                    (our own)
  *
  * One family of slices can be asked to end half a slice farther (EndCaps): then the stack has
  * copies of its first and last contours from AddEndSlices on, before RegisterCrossings, on virtual

@@ -49,6 +49,7 @@ void MapSurface(const AxisFrame& frame, Reconstruction& result)
   MapTriples(result.Isolated.Points, point);
   MapTriples(result.Surface.CentralPoints, point);
   MapTriples(result.Surface.Inner.Points, point);
+  MapTriples(result.Surface.Improved.Points, point);
   MapTriples(result.Normals.Normals, normal);
   MapTriples(result.Surface.Inner.Normals, normal);
   for (PatchMesh& mesh : result.Surface.Meshes)

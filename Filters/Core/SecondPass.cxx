@@ -16,6 +16,9 @@ bool Sketch(double edgeLength, Pass& pass)
   patching.EdgeLength =
     std::max(patching.EdgeLength, edgeLength / MinMeanSpacing(pass.Result.Grid));
   patching.Shared = nullptr;
+  // Contours keep their vertices: the surface is going to be bent through them.
+  patching.Accuracy = 0.0;
+  patching.OwnAccuracy = false;
   return FillCycles(patching, pass);
 }
 

@@ -46,10 +46,14 @@ const char* NameOf(Stage stage)
       return "FindUndecidedPlaces";
     case Stage::EstimateNormals:
       return "EstimateNormals";
+    case Stage::LightenArcs:
+      return "LightenArcs";
     case Stage::BuildInnerPatches:
       return "BuildInnerPatches";
     case Stage::LayOutTriangles:
       return "LayOutTriangles";
+    case Stage::ImproveSurface:
+      return "ImproveSurface";
   }
   return "";
 }

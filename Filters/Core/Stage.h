@@ -32,8 +32,10 @@ enum class Stage
   MeasureTopology,
   FindUndecidedPlaces,
   EstimateNormals,
+  LightenArcs,
   BuildInnerPatches,
-  LayOutTriangles
+  LayOutTriangles,
+  ImproveSurface
 };
 
 /// The name of the function that a stage consists of.

@@ -45,7 +45,7 @@ TEST(Stages, ComeInTheOrderOfTheirList)
       last = static_cast<int>(stage);
       names.insert(NameOf(stage));
     });
-  EXPECT_EQ(last, static_cast<int>(Stage::LayOutTriangles));
+  EXPECT_EQ(last, static_cast<int>(Stage::ImproveSurface));
   EXPECT_EQ(names.size(), static_cast<std::size_t>(last) + 1);
   EXPECT_EQ(names.count(""), 0u);
 }

@@ -56,6 +56,8 @@ def check_defaults():
         "PatchType": "Smooth",
         "EdgeLength": 0.25,
         "ChordTolerance": 0.0,
+        "Accuracy": 0.0,
+        "AutomaticAccuracy": 0,
         "CornerAngle": 60.0,
         "Smoothing": 0.0,
         "ContourTolerance": 0.0,

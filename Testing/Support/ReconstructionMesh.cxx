@@ -11,7 +11,10 @@ TriangleMesh MeshOf(const Reconstruction& result)
 {
   TriangleMesh mesh;
   const std::vector<double> others = ListOtherPoints(result.Surface);
-  for (const auto* xyz : { &result.Graph.Points, &result.Surface.CentralPoints, &others })
+  const std::vector<double> none;
+  const ImprovedTriangles& improved = result.Surface.Improved;
+  for (const auto* xyz : { improved.Any() ? &improved.Points : &result.Graph.Points,
+         improved.Any() ? &none : &result.Surface.CentralPoints, improved.Any() ? &none : &others })
   {
     for (std::size_t i = 0; i < xyz->size(); i += 3)
     {

@@ -173,6 +173,45 @@ void LeaveOutVertices(const std::vector<std::uint8_t>& isKept, NodeGraph& graph)
   graph.Points.resize(to);
 }
 
+void DrawArcs(const std::vector<std::vector<Point3>>& vertices, NodeGraph& graph)
+{
+  PointWriter writer(graph);
+  writer.Reserve(graph.Points.size() / 3);
+  for (Index node = 0; node < graph.Nodes; ++node)
+  {
+    writer.AddNode(node);
+  }
+  writer.BeginArcs();
+  const Index arcs = graph.Arcs + static_cast<Index>(graph.Loops.size());
+  for (Index arc = 0; arc < arcs; ++arc)
+  {
+    if (graph.IsLoop(arc))
+    {
+      writer.AddOldVertices(arc);
+    }
+    else
+    {
+      std::for_each(vertices[arc].begin(), vertices[arc].end(),
+        [&](const Point3& vertex) { writer.AddVertex(vertex); });
+    }
+    writer.EndArc();
+  }
+  writer.MoveTo(graph);
+}
+
+void MoveNodes(const std::vector<double>& moves, const SpatialGrid& grid,
+  const GridCrossings& crossings, NodePoints& nodes, NodeGraph& graph)
+{
+  const GridEdgeCode code(grid);
+  for (Index node = 0; node < nodes.Count(); ++node)
+  {
+    nodes.Position[node] = grid.Round(nodes.Position[node] + moves[node]);
+    const Point3 place = NodePosition(grid, code, crossings, nodes, node);
+    std::copy(
+      place.begin(), place.end(), graph.Points.begin() + 3 * static_cast<std::ptrdiff_t>(node));
+  }
+}
+
 void SetLoops(const std::vector<GraphLoop>& loops, NodeGraph& graph)
 {
   DropLoops(graph);

@@ -19,6 +19,7 @@
  *   table of G            written by                    for the stage
  *   Points, Offsets       BuildNodeGraph
  *                         LeaveOutVertices              ThinArcs
+ *                         DrawArcs, MoveNodes           LightenArcs
  *                         MoveInsideFaces, ReplaceArcs  EmbedArcs
  *                         SetLoops                      EmbedIsolated, StitchSlabs
  *                         RemoveNodes                   RemoveComponents
@@ -76,6 +77,13 @@ void ReplaceArcs(
 
 /// Keeps the vertices of arcs and loops that are marked, one mark for each point after the nodes.
 void LeaveOutVertices(const std::vector<std::uint8_t>& isKept, NodeGraph& graph);
+
+/// Gives all arcs other vertices between their nodes. Loops stay.
+void DrawArcs(const std::vector<std::vector<Point3>>& vertices, NodeGraph& graph);
+
+/// Moves node points along their edges, each by so much. REQUIRES: they stay in their order.
+void MoveNodes(const std::vector<double>& moves, const SpatialGrid& grid,
+  const GridCrossings& crossings, NodePoints& nodes, NodeGraph& graph);
 
 /// Replaces all loops.
 void SetLoops(const std::vector<GraphLoop>& loops, NodeGraph& graph);

@@ -32,6 +32,7 @@ public:
   }
 
   std::vector<FaceDrawing> Run(const ArcsByFace& faces, const std::vector<Index>& forced) const;
+  std::vector<Index> FindChanged(const ArcsByFace& faces) const;
 
 private:
   enum class Task : std::uint8_t
@@ -282,6 +283,20 @@ std::vector<ArcEmbedder::Task> ArcEmbedder::Classify(
   return tasks;
 }
 
+std::vector<Index> ArcEmbedder::FindChanged(const ArcsByFace& faces) const
+{
+  const std::vector<Task> tasks = this->Classify(faces, {});
+  std::vector<Index> changed;
+  for (Index face = 0; face < faces.Count(); ++face)
+  {
+    if (tasks[face] != Task::Keep)
+    {
+      changed.push_back(face);
+    }
+  }
+  return changed;
+}
+
 std::vector<FaceDrawing> ArcEmbedder::Run(
   const ArcsByFace& faces, const std::vector<Index>& forced) const
 {
@@ -321,5 +336,11 @@ std::vector<Repair> EmbedArcs(
   }
   ReplaceArcs(drawings, tables.Crossings, tables.Graph);
   return repairs;
+}
+
+std::vector<Index> FindCrossingFaces(
+  const ArcGeometry& geometry, const ArcsByFace& faces, const Execution& execution)
+{
+  return ArcEmbedder(geometry, execution).FindChanged(faces);
 }
 }

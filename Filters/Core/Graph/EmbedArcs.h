@@ -5,6 +5,7 @@
 
 #include "Core/Base/Execution.h"
 #include "Core/Graph/EditGraph.h"
+#include "Core/Graph/FaceArcs.h"
 
 #include <vector>
 
@@ -27,6 +28,10 @@ namespace orthoslices
  */
 std::vector<Repair> EmbedArcs(
   const GraphTables& tables, const Execution& execution, const std::vector<Index>& forced = {});
+
+/// The faces, ascending, whose arcs touch each other or themselves: those that EmbedArcs would change.
+std::vector<Index> FindCrossingFaces(
+  const ArcGeometry& geometry, const ArcsByFace& faces, const Execution& execution);
 }
 
 #endif

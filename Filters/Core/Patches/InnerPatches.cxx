@@ -49,12 +49,17 @@ namespace
 /// are many for each thread.
 constexpr std::size_t BlockSize = 256;
 
+/// Mean radii of a patch for one of EdgeLength, where these are measured in patches: that of a square
+/// as wide as slices are apart is 0.58 of that, so that the default makes sides of about half its width.
+constexpr double RadiiOfEdge = 4.0;
+
 /// What filling a polygon takes, and the memory for it, reused from one polygon to the next.
 struct Workshop
 {
   Workshop(const PatchTables& tables, const PatchOptions& options)
     : Tables(tables)
     , Options(options)
+    , Outlines(OutlinesOf(tables))
     , Smooth(tables.Geometry.Grid, ResolutionOf(tables.Geometry.Grid, options))
   {
   }
@@ -62,14 +67,38 @@ struct Workshop
   static PatchResolution ResolutionOf(const SpatialGrid& grid, const PatchOptions& options)
   {
     const double spacing = MinMeanSpacing(grid);
-    return { options.EdgeLength * spacing, options.ChordTolerance * spacing };
+    if (options.Accuracy > 0.0)
+    {
+      return { RadiiOfEdge * options.EdgeLength, 0.0, options.Accuracy };
+    }
+    return { options.EdgeLength * spacing, options.ChordTolerance * spacing, 0.0 };
+  }
+
+  /// The polygons that the triangles have as their borders.
+  static CycleGeometry OutlinesOf(const PatchTables& tables)
+  {
+    const CycleGeometry& geometry = tables.Geometry;
+    return { geometry.Grid, tables.Light ? tables.Light->Graph : geometry.Graph, geometry.Crossings,
+      geometry.Nodes, geometry.Cycles };
+  }
+
+  /// Where the triangles' vertices are.
+  const PatchBorder& Outline() const
+  {
+    return this->Tables.Light ? this->LightBorder : this->Border;
+  }
+  const std::vector<std::uint8_t>& Corners() const
+  {
+    return this->Tables.Light ? this->Tables.Light->Normals.Corners : this->Tables.Normals.Corners;
   }
 
   const PatchTables& Tables;
   const PatchOptions& Options;
   Index Cycle = 0;    ///< the polygon to be filled
   PatchBorder Border; ///< and its border, which starts where the order of contours does not matter
-  InnerPatch Patch;   ///< the result
+  PatchBorder LightBorder; ///< with fewer points, if there is a LightGraph
+  InnerPatch Patch;        ///< the result
+  CycleGeometry Outlines;
   SmoothPatchBuilder Smooth;
   InnerPatch Crease;
 };
@@ -83,14 +112,15 @@ using FillPolygon = bool (*)(Workshop& shop);
 /// The better one of a smooth surface and, if the border has corners, a crease.
 bool FillSmoothly(Workshop& shop)
 {
-  const std::vector<std::uint8_t>& corners = shop.Tables.Normals.Corners;
-  const bool smooth = shop.Smooth.Build(shop.Border, shop.Patch);
-  if (!HasCorner(shop.Border, corners))
+  const std::vector<std::uint8_t>& corners = shop.Corners();
+  const PatchBorder& outline = shop.Outline();
+  const bool smooth = shop.Smooth.Build(shop.Border, outline, shop.Patch);
+  if (!HasCorner(outline, corners))
   {
     return smooth;
   }
   const double deviation =
-    BuildCreasePatch(shop.Tables.Geometry.Grid, shop.Border, corners, shop.Crease);
+    BuildCreasePatch(shop.Tables.Geometry.Grid, outline, corners, shop.Crease);
   if (std::isfinite(deviation) && (!smooth || deviation < shop.Smooth.Deviation()))
   {
     std::swap(shop.Patch, shop.Crease);
@@ -108,7 +138,7 @@ bool FillWithCoons(Workshop& shop)
   }
   const Index parts =
     std::max<Index>(1, static_cast<Index>(std::lround(0.5 / shop.Options.EdgeLength)));
-  return BuildCoonsPatch(shop.Tables.Geometry.Grid, shop.Border,
+  return BuildCoonsPatch(shop.Tables.Geometry.Grid, shop.Outline(),
     shop.Tables.CentralPoint(shop.Cycle), parts, shop.Patch);
 }
 
@@ -153,9 +183,15 @@ InnerPatches FillBlock(FillPolygon fill, Workshop& shop, const std::vector<Index
     }
     shop.Border.Set(shop.Tables.Geometry, shop.Tables.Normals, shop.Cycle);
     // Which point is the first one depends on the order of the contours; the patch does not.
-    const Index first = shop.Border.Turn(), size = shop.Border.Count();
+    Index first = shop.Border.Turn();
+    if (shop.Tables.Light)
+    {
+      shop.LightBorder.Set(shop.Outlines, shop.Tables.Light->Normals, shop.Cycle);
+      first = shop.LightBorder.Turn();
+    }
+    const Index size = shop.Outline().Count();
     const SharedPatches* shared = shop.Options.Shared;
-    const bool isShared = shared != nullptr && shared->Find(shop.Border, shop.Patch);
+    const bool isShared = shared != nullptr && shared->Find(shop.Outline(), shop.Patch);
     if (!isShared && !fill(shop))
     {
       continue;
@@ -251,6 +287,25 @@ bool NeedsNormals(PatchMethod method) { return method != PatchMethod::Fan; }
 
 bool GivesNormals(PatchMethod method) { return method == PatchMethod::Smooth; }
 
+double FitError(const PatchTables& tables)
+{
+  constexpr Index most = 400; // the error of their mean is a twentieth
+  SmoothPatchBuilder builder(tables.Geometry.Grid, PatchResolution());
+  PatchBorder border;
+  double sum = 0.0, count = 0.0;
+  const Index cycles = tables.Geometry.Cycles.Count();
+  for (Index cycle = 0; cycle < cycles; cycle += 1 + cycles / most)
+  {
+    border.Set(tables.Geometry, tables.Normals, cycle);
+    if (builder.Fit(border))
+    {
+      sum += builder.Deviation() * builder.Deviation();
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
 InnerPatches BuildInnerPatches(
   const PatchTables& tables, const PatchOptions& options, const Execution& execution)
 {
@@ -280,7 +335,9 @@ InnerPatches BuildInnerPatches(
       }
     });
   InnerPatches patches = PutTogether(blocks);
-  RemoveTouching(tables, meshOf, execution, patches);
+  const CycleGeometry outlines = Workshop::OutlinesOf(tables);
+  RemoveTouching({ outlines, tables.Cells, tables.Normals, tables.CentralPoints, tables.Meshes },
+    meshOf, execution, patches);
   if (options.Shared != nullptr)
   {
     Share(tables, meshOf, patches, *options.Shared);

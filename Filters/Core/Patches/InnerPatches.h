@@ -5,6 +5,7 @@
 
 #include "Core/Base/Execution.h"
 #include "Core/Cells/PatchMesh.h"
+#include "Core/Patches/LightenArcs.h"
 #include "Core/Patches/SmoothPatch.h"
 
 #include <vector>
@@ -55,6 +56,14 @@ struct PatchOptions
   double CornerAngle = 1.0471975511965976; ///< of contours: 60 degrees; see EstimateNormals
   double EdgeLength = 0.25;                ///< of triangles inside patches, in mean plane spacings
   double ChordTolerance = 0.0;             ///< in mean plane spacings; see PatchResolution
+  /**
+   * With few triangles, how far contours may be from the surface, in mean spacings of the planes across
+   * their slices: see LightenArcs, SmoothPatchBuilder and ImproveSurface. Then EdgeLength is measured in
+   * quarters of a patch's mean radius. 0: contours keep their vertices. For PatchMethod::Smooth.
+   */
+  double Accuracy = 0.0;
+  /// Accuracy follows from the error of the surface, as FitError estimates it.
+  bool OwnAccuracy = false;
   /// Patches of structures that were made before: taken over where borders are the same, and added to.
   SharedPatches* Shared = nullptr;
 };
@@ -90,6 +99,9 @@ struct PatchTables
   const SurfaceNormals& Normals;            ///< may be empty for types that do not need them
   const std::vector<double>& CentralPoints; ///< x, y, z of each cycle
   const std::vector<PatchMesh>& Meshes;     ///< the patches of shells and of several cycles
+  /// Where the triangles' vertices on contours are, if not at all points of G; or null. Patches are
+  /// fitted to the arcs of G, and triangulated with these.
+  const LightGraph* Light = nullptr;
 
   Point3 CentralPoint(Index cycle) const
   {
@@ -97,6 +109,13 @@ struct PatchTables
     return { p[0], p[1], p[2] };
   }
 };
+
+/**
+ * How far contours lie off surfaces without creases that are fitted to each patch, RMS of at most a few
+ * hundred patches, in world units: about as far as the smooth patches are from the object between its
+ * contours. 0 if there are no patches that tell.
+ */
+double FitError(const PatchTables& tables);
 
 /**
  * Fills the cycles that are in no mesh. Of borders with corners, those for which that explains more

@@ -71,7 +71,19 @@ bool PatchView::Set(const PatchBorder& border)
   this->Projected.resize(n);
   std::transform(this->LocalPlaces.begin(), this->LocalPlaces.end(), this->Projected.begin(),
     [this](const Point3& p) { return this->Project(p); });
+  this->ProjectedOutline = this->Projected;
   return true;
+}
+
+void PatchView::SetOutline(const PatchBorder* outline)
+{
+  this->ProjectedOutline = this->Projected;
+  if (outline != nullptr)
+  {
+    this->ProjectedOutline.resize(outline->Places.size());
+    std::transform(outline->Places.begin(), outline->Places.end(), this->ProjectedOutline.begin(),
+      [this](const Point3& p) { return this->Project(this->ToLocal(p)); });
+  }
 }
 
 double PatchView::Clamp(const Point2& p, const Box3& box, double z) const
@@ -105,7 +117,7 @@ bool PatchView::SeesAll(const InnerPatch& patch) const
     inner[i] = this->Project(local);
   }
   const auto at = [&](Index corner) -> const Point2&
-  { return corner >= 0 ? this->Projected[corner] : inner[-1 - corner]; };
+  { return corner >= 0 ? this->ProjectedOutline[corner] : inner[-1 - corner]; };
   return std::all_of(patch.Triangles.begin(), patch.Triangles.end(),
     [&](const std::array<Index, 3>& t)
     {

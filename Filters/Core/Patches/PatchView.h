@@ -43,6 +43,10 @@ public:
   const std::vector<Point3>& Normals() const { return this->LocalNormals; }
   /// The border in the plane, counter-clockwise if it can be seen as a whole.
   const std::vector<Point2>& Border() const { return this->Projected; }
+  /// The corners of the triangles on the border, seen likewise: those of the border, or of the outline
+  /// that was set after it.
+  const std::vector<Point2>& Outline() const { return this->ProjectedOutline; }
+  void SetOutline(const PatchBorder* outline);
   double Radius() const { return this->Unit; }
 
   Point3 ToLocal(const Point3& place) const
@@ -81,7 +85,7 @@ private:
   double Unit = 1.0;
   double Bend = 0.0; ///< 1 / distance of the center of the lines, behind the origin
   std::vector<Point3> LocalPlaces, LocalNormals;
-  std::vector<Point2> Projected;
+  std::vector<Point2> Projected, ProjectedOutline;
 };
 }
 

@@ -20,6 +20,15 @@ constexpr double MinSlope = 0.1;
 /// would crowd around them.
 constexpr double MinSide = 1e-3;
 
+/// The same where triangles are to be few: what is beside short sides is improved afterwards.
+constexpr double MinLightSide = 0.3;
+
+/// The height of the surface over the sides of triangles inside a patch, by the accuracy that is asked
+/// for. As their ends are moved out by the mean height, less than half of it is left beside any place.
+/// With a third less or more, the RMS error of twelve shapes at 32 planes per axis changes by 1 %, and the
+/// number of triangles by 5 %.
+constexpr double HeightByAccuracy = 0.6;
+
 /// How far zeros may lie from the middle of the border, or from its heights. The top of a
 /// hemisphere lies 1 off the middle of its rim: farther zeros are others, of another part of the
 /// function.
@@ -74,8 +83,12 @@ std::size_t MaxPoints(std::size_t border)
 /// The length of triangle sides that the resolution asks for, in the plane of the view.
 double SmoothPatchBuilder::SizeOfTriangles() const
 {
-  double size = this->Resolution.EdgeLength;
-  if (this->Resolution.ChordTolerance > 0.0)
+  const bool isLight = this->Resolution.Accuracy > 0.0;
+  const double tolerance = isLight
+    ? HeightByAccuracy * this->Resolution.Accuracy * MinMeanSpacing(this->Grid)
+    : this->Resolution.ChordTolerance;
+  double size = this->Resolution.EdgeLength * (isLight ? this->View.Radius() : 1.0);
+  if (tolerance > 0.0)
   {
     // How much the normals change over the patch is its curvature; a chord lies length^2 / 8 of it
     // off the surface.
@@ -90,7 +103,7 @@ double SmoothPatchBuilder::SizeOfTriangles() const
                               : change;
     }
     const double curvature = change / this->View.Radius();
-    const double length = std::sqrt(8.0 * this->Resolution.ChordTolerance / curvature);
+    const double length = std::sqrt(8.0 * tolerance / curvature);
     size = std::min(size, length);
   }
   return size / this->View.Radius();
@@ -213,31 +226,76 @@ bool SmoothPatchBuilder::PlacePoint(
   return true;
 }
 
-bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)
+bool SmoothPatchBuilder::Fit(const PatchBorder& border)
 {
-  patch.Clear();
-  if (!this->View.Set(border) ||
-    !this->Surface.Fit(this->View.Places(), this->View.Normals(), border.Weights))
-  {
-    return false;
-  }
-  const std::vector<Point2>& polygon = this->View.Border();
+  return this->View.Set(border) &&
+    this->Surface.Fit(this->View.Places(), this->View.Normals(), border.Weights);
+}
+
+/// Triangulates the outline as it is seen in the plane.
+bool SmoothPatchBuilder::Triangulate(const PatchBorder& border, const PatchBorder& outline)
+{
+  this->View.SetOutline(&border == &outline ? nullptr : &outline);
+  const std::vector<Point2>& polygon = this->View.Outline();
   if (!this->Disc.StartWithFan(polygon, { 0.0, 0.0 }) && !this->Disc.StartWithEars(polygon))
   {
     return false;
   }
-  const Index n = border.Count();
+  const Index n = outline.Count();
   const std::size_t maxPoints = MaxPoints(polygon.size());
   this->Disc.MakeDelaunay();
-  this->Disc.Refine(this->SizeOfTriangles(), maxPoints, MinSide);
+  const double minSide = this->Resolution.Accuracy > 0.0 ? MinLightSide : MinSide;
+  this->Disc.Refine(this->SizeOfTriangles(), maxPoints, minSide);
   // No side between two points of the border may lie on a face of the cell.
   this->Disc.SplitSides(
-    [&](Index a, Index b) { return a < n && b < n && border.AreOnOneFace(a, b); });
+    [&](Index a, Index b) { return a < n && b < n && outline.AreOnOneFace(a, b); });
   if (this->Disc.Points.size() == polygon.size())
   {
     this->Disc.SplitSides([n](Index a, Index b) { return a < n && b < n; });
   }
-  for (std::size_t i = polygon.size(); i < this->Disc.Points.size(); ++i)
+  return true;
+}
+
+/// Moves the points inside a patch with few triangles to the side to which the surface bulges, by the
+/// mean height of the surface over the sides that meet there.
+void SmoothPatchBuilder::Balance(const PatchBorder& outline, InnerPatch& patch) const
+{
+  std::vector<double> sums(patch.Points.size(), 0.0), counts(patch.Points.size(), 0.0);
+  const auto place = [&](Index corner)
+  { return corner >= 0 ? outline.Places[corner] : patch.Points[-1 - corner]; };
+  const auto normal = [&](Index corner)
+  { return corner >= 0 ? outline.Normals[corner] : patch.Normals[-1 - corner]; };
+  for (const std::array<Index, 3>& triangle : patch.Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const Index a = triangle[i], b = triangle[(i + 1) % 3];
+      if (a >= 0)
+      {
+        continue;
+      }
+      // A circle is an eighth of this above its chord.
+      sums[-1 - a] += 0.125 * Dot(place(b) - place(a), normal(b) - normal(a));
+      counts[-1 - a] += 1.0;
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    const Point3 moved = patch.Points[i] + (sums[i] / counts[i]) * patch.Normals[i];
+    patch.Points[i] = outline.MoveInside(this->Grid, moved);
+  }
+}
+
+bool SmoothPatchBuilder::Build(
+  const PatchBorder& border, const PatchBorder& outline, InnerPatch& patch)
+{
+  patch.Clear();
+  if (!this->Fit(border) || !this->Triangulate(border, outline))
+  {
+    return false;
+  }
+  const Index n = outline.Count();
+  for (std::size_t i = static_cast<std::size_t>(n); i < this->Disc.Points.size(); ++i)
   {
     if (!this->PlacePoint(border, this->Disc.Points[i], patch))
     {
@@ -252,6 +310,10 @@ bool SmoothPatchBuilder::Build(const PatchBorder& border, InnerPatch& patch)
       corner = corner < n ? corner : n - 1 - corner;
     }
     patch.Triangles.push_back(corners);
+  }
+  if (this->Resolution.Accuracy > 0.0)
+  {
+    this->Balance(outline, patch);
   }
   return !patch.Points.empty() && this->View.SeesAll(patch);
 }

@@ -16,6 +16,9 @@ struct PatchResolution
   /// Greatest distance of a side's middle from the surface, in world units; 0 for any. Then sides
   /// are as short as that asks, EdgeLength at most.
   double ChordTolerance = 0.0;
+  /// See PatchOptions. If it is not 0, it takes the place of ChordTolerance, and EdgeLength is a share
+  /// of each patch's mean radius.
+  double Accuracy = 0.0;
 };
 
 /**
@@ -33,9 +36,17 @@ public:
   {
   }
 
+  /// Fits the surface alone, for Deviation; false if that is impossible.
+  bool Fit(const PatchBorder& border);
   /// False if the border cannot be seen as a whole or leaves no room for the precision, or if the
   /// surface runs away from the contours.
-  bool Build(const PatchBorder& border, InnerPatch& patch);
+  bool Build(const PatchBorder& border, InnerPatch& patch)
+  {
+    return this->Build(border, border, patch);
+  }
+  /// The same, with triangles whose corners on the border are those of another one, `outline`, which
+  /// may have fewer points.
+  bool Build(const PatchBorder& border, const PatchBorder& outline, InnerPatch& patch);
   /// How far the border of the last patch lies off a surface without creases, in world units.
   double Deviation() const { return this->View.Radius() * this->Surface.Deviation(); }
 
@@ -45,6 +56,8 @@ private:
   bool FindHeight(const Point2& p, double& z, Point3& gradient) const;
   bool SearchHeight(const Point2& p, double guess, double& z, Point3& gradient) const;
   bool RunsAway(const Point3& place) const;
+  bool Triangulate(const PatchBorder& border, const PatchBorder& outline);
+  void Balance(const PatchBorder& outline, InnerPatch& patch) const;
   bool PlacePoint(const PatchBorder& border, const Point2& p, InnerPatch& patch) const;
 
   const SpatialGrid& Grid;

@@ -11,6 +11,7 @@ namespace orthoslices
 {
 void LayOutTriangles(const NodeGraph& graph, const CellCycles& cycles, Patches& patches)
 {
+  patches.Improved = {};
   patches.Offsets.assign(static_cast<std::size_t>(cycles.Count()) + 1, 0);
   for (Index cycle = 0; cycle < cycles.Count(); ++cycle)
   {
@@ -127,6 +128,11 @@ template <typename Id>
 void WriteTriangles(const Patches& patches, const CycleGeometry& geometry,
   const Execution& execution, Id* connectivity)
 {
+  if (patches.Improved.Any())
+  {
+    std::copy(patches.Improved.Corners.begin(), patches.Improved.Corners.end(), connectivity);
+    return;
+  }
   execution.For(geometry.Cycles.Count(),
     [&](std::size_t begin, std::size_t end)
     {

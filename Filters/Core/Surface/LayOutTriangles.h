@@ -10,6 +10,16 @@
 
 namespace orthoslices
 {
+/// Triangles that took the place of those of all patches, in the order of the patches, and their points.
+struct ImprovedTriangles
+{
+  std::vector<double> Points;       ///< x, y, z of each
+  std::vector<std::int64_t> Origin; ///< of each point, ascending: its id before
+  std::vector<Index> Corners;       ///< three points of each triangle
+
+  bool Any() const { return !this->Corners.empty(); }
+};
+
 /**
  * The patches of all cycles. Those in Meshes (ascending by their first cycle) join several cycles
  * or are shells; those in Inner have points inside; the others are fans around the central point.
@@ -27,6 +37,8 @@ struct Patches
   InnerPatches Inner;
   std::vector<std::int64_t> Offsets{ 0 };
   std::vector<std::int64_t> MeshOffsets; ///< and where the points of Inner begin
+  /// If there are any, Offsets are those of these triangles.
+  ImprovedTriangles Improved;
 
   /// The id of the second point of a patch in Inner; its other points follow.
   std::int64_t InnerPointId(Index patch) const

@@ -138,6 +138,8 @@ def reconstruct(
     patch_type: Union[PatchType, int, None] = None,
     edge_length: Optional[float] = None,
     chord_tolerance: Optional[float] = None,
+    accuracy: Optional[float] = None,
+    automatic_accuracy: Optional[bool] = None,
     corner_angle: Optional[float] = None,
     smoothing: Optional[float] = None,
     contour_tolerance: Optional[float] = None,
