@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOrthogonalSliceReconstruction
- * @brief   closed surface from up to three sets of planar contours, orthogonal to each other as a rule
+ * @brief   closed surface from up to three sets of planar contours, orthogonal to each other as a
+ * rule
  *
  * Reconstructs a closed, oriented triangle surface from contours that were drawn (or cut) on three
  * families of parallel planes, each orthogonal to one coordinate axis, after R. Svitak and
@@ -22,25 +23,26 @@
  * other planes) are joined to what they continue, and end in domes.
  *
  * Where slices are too few for that, with one stack, two families or a stack with a few slices
- * across, the surface of the same topology that bends least between the contours is cut on *virtual*
- * planes between the real ones, and the surface is made once more from all of them (VirtualSlices).
+ * across, the surface of the same topology that bends least between the contours is cut on
+ * *virtual* planes between the real ones, and the surface is made once more from all of them
+ * (VirtualSlices).
  *
  * @section Inputs Inputs
  * Ports 0, 1 and 2: contours on planes of constant x, y and z. Port 3: contours on planes of any
  * families. In fact each port takes any contours: they are sorted by the planes that they lie on. A
  * port takes a vtkPolyData, or a vtkMultiBlockDataSet, vtkPartitionedDataSet or
- * vtkPartitionedDataSetCollection, of which all vtkPolyData count as one input. Ports without contours
- * are families without slices; with one family the filter joins parallel slices.
+ * vtkPartitionedDataSetCollection, of which all vtkPolyData count as one input. Ports without
+ * contours are families without slices; with one family the filter joins parallel slices.
  *
- * Planes need not lie across the axes of the world (see Frame). If they do not, the normals of up to three
- * families are fitted to the contours by least squares. Which of them are the x-, y- and z-slices,
- * their nearest axes say, or, if a normal is more than 40 degrees from any, their ports. If they are at
- * right angles to each other, as far as noise lets one see, the surface is that of slices across x, y
- * and z, turned. Else coordinates along the axes are distances along the normals of the families, the
- * surface is made there, and mapped back by the inverse (see AxisFrame and ReconstructSorted in Core).
- * Contours on planes of no family are no slices. Where the surface bends from slice to slice
- * (VirtualSlices), it bends through them, too. A warning names them and says whether they guide the
- * surface, and how far it is from them.
+ * Planes need not lie across the axes of the world (see Frame). If they do not, the normals of up
+ * to three families are fitted to the contours by least squares. Which of them are the x-, y- and
+ * z-slices, their nearest axes say, or, if a normal is more than 40 degrees from any, their ports.
+ * If they are at right angles to each other, as far as noise lets one see, the surface is that of
+ * slices across x, y and z, turned. Else coordinates along the axes are distances along the normals
+ * of the families, the surface is made there, and mapped back by the inverse (see AxisFrame and
+ * ReconstructSorted in Core). Contours on planes of no family are no slices. Where the surface
+ * bends from slice to slice (VirtualSlices), it bends through them, too. A warning names them and
+ * says whether they guide the surface, and how far it is from them.
  *
  * The planes may come in any order and spacing, with different numbers on each axis. Contours are
  * accepted as lines and polygons: closed polylines (first point repeated or not), polygons, open
@@ -57,12 +59,11 @@
  *
  * @section Outputs Outputs
  * Port 0, the surface (vtkPolyData): triangles, oriented outwards. Where the slices agree, every
- * vertex of every contour that meets another family is a vertex of the surface (of the contours that
- * Smoothing and ContourTolerance leave); with Accuracy, the surface passes within that of each.
- * Points: first the node points, then the vertices of the
- * arcs and of the isolated contours, then one for each spatial polygon (of fans the central point,
- * else one of those inside its patch), last the other points inside patches; with Accuracy, those of
- * them that are left.
+ * vertex of every contour that meets another family is a vertex of the surface (of the contours
+ * that Smoothing and ContourTolerance leave); with Accuracy, the surface passes within that of
+ * each. Points: first the node points, then the vertices of the arcs and of the isolated contours,
+ * then one for each spatial polygon (of fans the central point, else one of those inside its
+ * patch), last the other points inside patches; with Accuracy, those of them that are left.
  *  - point data "Normals" (float, 3 components; active normals), if ComputeNormals or
  *    ComputeCurvatures is on: of smooth patches those of the smooth surface, of others the mean of
  *    the triangles around;
@@ -80,9 +81,10 @@
  *    "NumberOfRepairs" (vtkIdType, one value each); on the shape of the triangles "SmallestAngle"
  *    (degrees), "ShareOfTrianglesAbove20Degrees" (all of whose angles are larger),
  *    "LargestAspectRatio" (longest side by the height over it) (double, one value each); only where
- *    the families do not lie across the axes of the world, "FamilyNormals" (double, 3 x 3), their unit
- *    normals. Points, normals and curvatures are those of the world in any frame; axes, planes and cells
- *    of M are those of the families, "PlaneCoordinate" a distance from the origin along the normal;
+ *    the families do not lie across the axes of the world, "FamilyNormals" (double, 3 x 3), their
+ *    unit normals. Points, normals and curvatures are those of the world in any frame; axes, planes
+ *    and cells of M are those of the families, "PlaneCoordinate" a distance from the origin along
+ *    the normal;
  *  - point data "MeanCurvature" and "GaussianCurvature" (float, see ComputeCurvatures; 1 / world
  *    units and its square, mean curvature positive where the surface is convex);
  *  - point data "Disagreement" (float): at a node point, the distance of the two contours along
@@ -122,12 +124,12 @@
  * Port 2, the histogram of polygon sizes (vtkTable; the paper's Figure 8): columns "PolygonSize"
  * and "Count" (vtkIdType), one row for every size from the smallest to the largest that occurs.
  *
- * Port 3, the contours (vtkTable), one row each: "Port", "SlicePlane" (int), "Cell" (vtkIdType;
- * of a contour made of several cells, one of them), "PlaneCoordinate" (double), and how it agrees
- * with the orthogonal contours: "NodePoints" (vtkIdType), "RmsDisagreement", "MaxDisagreement"
- * (double, world units). Only where contours come through other ports than those of their axes,
- * "SliceAxis" (int), and only where inputs are composite, "Block" (vtkIdType), the flat index of the
- * block. Contours on planes of no family come last, with "SlicePlane" -1 and the distances of their points
+ * Port 3, the contours (vtkTable), one row each: "Port", "SlicePlane" (int), "Cell" (vtkIdType; of
+ * a contour made of several cells, one of them), "PlaneCoordinate" (double), and how it agrees with
+ * the orthogonal contours: "NodePoints" (vtkIdType), "RmsDisagreement", "MaxDisagreement" (double,
+ * world units). Only where contours come through other ports than those of their axes, "SliceAxis"
+ * (int), and only where inputs are composite, "Block" (vtkIdType), the flat index of the block.
+ * Contours on planes of no family come last, with "SlicePlane" -1 and the distances of their points
  * from the surface as disagreement.
  *
  * Port 4, the slices (vtkTable), one row for each plane: "SliceAxis", "SlicePlane" (int),
@@ -137,77 +139,79 @@
  * slice closest to the others. A slice that was moved as a whole shows here. Only where there are
  * virtual slices, "Virtual" (unsigned char) is 1 for them; these agree with nothing.
  *
- * Port 5, the undecided places (vtkTable), one row each: "X", "Y", "Z" (double): where; "Kind" (int):
- * 0 two cycles that are the ends of a tube or ends of their own, 1 an isolated contour and the patch
- * that it may continue, 2 two isolated contours; "Choice" (int): 0 separate, 1 joined, 2 separate
- * because no joined patch without crossings was found; "Evidence" (double): for joining them, the
- * logarithm of the odds: 0 says nothing, and from 3 or -3 on (95 %) a place is not listed; and
- * where to slice next: "PlaneAxis" (int), "PlaneCoordinate" (double), the slice that would settle
- * the place, "PlaneSettles" (vtkIdType), how many places it would settle, and "PlaneRank" (int), 0
- * for the slice that settles most: a place counts the more, the less certain it is (see
- * UncertaintyOf() in Core/Cells/UndecidedPlaces.h). The rows ascend by that rank.
+ * Port 5, the undecided places (vtkTable), one row each: "X", "Y", "Z" (double): where; "Kind"
+ * (int): 0 two cycles that are the ends of a tube or ends of their own, 1 an isolated contour and
+ * the patch that it may continue, 2 two isolated contours; "Choice" (int): 0 separate, 1 joined, 2
+ * separate because no joined patch without crossings was found; "Evidence" (double): for joining
+ * them, the logarithm of the odds: 0 says nothing, and from 3 or -3 on (95 %) a place is not
+ * listed; and where to slice next: "PlaneAxis" (int), "PlaneCoordinate" (double), the slice that
+ * would settle the place, "PlaneSettles" (vtkIdType), how many places it would settle, and
+ * "PlaneRank" (int), 0 for the slice that settles most: a place counts the more, the less certain
+ * it is (see UncertaintyOf() in Core/Cells/UndecidedPlaces.h). The rows ascend by that rank.
  *
  * Port 6, the input problems (vtkTable), one row for each contour that was mended, left out or
  * crosses another: "Port" (int), "Cell" (vtkIdType; of a contour made of several cells, one of
- * them), "SliceAxis" (int), "Kind" (int) and "KindName" (string): 0 NotFinite, 1 OffPlane, 2 Open, 3
- * CrossesItself, 4 CrossesOther, 5 TooShort (one or two points that join nothing), 6 Flat (no area),
- * 7 MovedOntoPlane, 8 GapClosed, 9 OverrunTrimmed (it ran past its start), 10 ClosedAlongBorder (of
- * the image), 11 LeftOpen (there), 12 LoopsUnited (they overlap), 13 BridgeRemoved (between outline
- * and hole, drawn there and back), 14 LoopSplit (it touches or crosses itself), 15 DrawnTwice;
- * "LeftOut" (unsigned char): 1 if the contour takes no part in the surface; "X", "Y", "Z" (double):
- * where; "Size" (double, world units): distance from the plane, length of the gap, of what was
- * trimmed, added or left out, distance of the two contours, or 0.
+ * them), "SliceAxis" (int), "Kind" (int) and "KindName" (string): 0 NotFinite, 1 OffPlane, 2 Open,
+ * 3 CrossesItself, 4 CrossesOther, 5 TooShort (one or two points that join nothing), 6 Flat (no
+ * area), 7 MovedOntoPlane, 8 GapClosed, 9 OverrunTrimmed (it ran past its start), 10
+ * ClosedAlongBorder (of the image), 11 LeftOpen (there), 12 LoopsUnited (they overlap), 13
+ * BridgeRemoved (between outline and hole, drawn there and back), 14 LoopSplit (it touches or
+ * crosses itself), 15 DrawnTwice; "LeftOut" (unsigned char): 1 if the contour takes no part in the
+ * surface; "X", "Y", "Z" (double): where; "Size" (double, world units): distance from the plane,
+ * length of the gap, of what was trimmed, added or left out, distance of the two contours, or 0.
  *
  * Port 7, the components (vtkTable), one row for each: "ComponentId" (int), as on port 0; "Area",
  * "Volume" (double, world units), exact for the triangles: the volume is positive for an outer
- * surface and negative for that of a cavity, which is a component of its own, so that volumes add up
- * to that of the body; "CentroidX", "CentroidY", "CentroidZ" (double): of the solid that the component
- * encloses; "Triangles" (vtkIdType). A component that is open has the volume NaN and the centroid of
- * its surface.
+ * surface and negative for that of a cavity, which is a component of its own, so that volumes add
+ * up to that of the body; "CentroidX", "CentroidY", "CentroidZ" (double): of the solid that the
+ * component encloses; "Triangles" (vtkIdType). A component that is open has the volume NaN and the
+ * centroid of its surface.
  *
  * @section Labels Labels
- * With LabelArray, each label is reconstructed from its contours, with common axes of the slices, and
- * the outputs of all labels are appended in ascending order of labels. Every surface is closed by
- * itself: no points are shared between labels. Labels that stay clear of each other have the surfaces of
- * runs of their own. Where contours of labels run along each other, to within a hundredth of the
- * spacing, the surfaces have the same triangles, and where they do not cross, no triangles of two labels
- * do; Filters/Core/README.md says what is left. Labels whose contours overlap keep them, and a warning
- * names those that overlap most. Ports 0 and
- * 1 have the cell data "Label", of the type of the input's array; names stand as their number (int) in the
- * field data "LabelNames" (vtkStringArray) of port 0. The tables of ports 2 to 7 have a first column
- * "Label", the number or the name. "ComponentId" runs on from label to label, field data that count
- * are of all labels together, "SlicePlane" and "GridCell" count the planes of the label, with those of its neighbours next to it. Port 0 also
- * has the field data "LabelNames" (of numbers their text), "LabelArea" and "LabelVolume" (double), one
- * value for each label. Fractions of a diagonal are those of the box around the contours of a label.
+ * With LabelArray, each label is reconstructed from its contours, with common axes of the slices,
+ * and the outputs of all labels are appended in ascending order of labels. Every surface is closed
+ * by itself: no points are shared between labels. Labels that stay clear of each other have the
+ * surfaces of runs of their own. Where contours of labels run along each other, to within a
+ * hundredth of the spacing, the surfaces have the same triangles, and where they do not cross, no
+ * triangles of two labels do; Filters/Core/README.md says what is left. Labels whose contours
+ * overlap keep them, and a warning names those that overlap most. Ports 0 and 1 have the cell data
+ * "Label", of the type of the input's array; names stand as their number (int) in the field data
+ * "LabelNames" (vtkStringArray) of port 0. The tables of ports 2 to 7 have a first column "Label",
+ * the number or the name. "ComponentId" runs on from label to label, field data that count are of
+ * all labels together, "SlicePlane" and "GridCell" count the planes of the label, with those of its
+ * neighbours next to it. Port 0 also has the field data "LabelNames" (of numbers their text),
+ * "LabelArea" and "LabelVolume" (double), one value for each label. Fractions of a diagonal are
+ * those of the box around the contours of a label.
  *
- * 0 is a label like any other (vtkOrthogonalSlicer takes it for the background of an image of labels,
- * and makes no contours of it). Contours without a label (of an input that lacks the array, NaN, an
- * empty name) take no part, and a warning counts them. A label whose contours are refused leaves the
- * others as they are; a warning names it. Only if all are refused, this is an error.
+ * 0 is a label like any other (vtkOrthogonalSlicer takes it for the background of an image of
+ * labels, and makes no contours of it). Contours without a label (of an input that lacks the array,
+ * NaN, an empty name) take no part, and a warning counts them. A label whose contours are refused
+ * leaves the others as they are; a warning names it. Only if all are refused, this is an error.
  *
  * In a parallel run the first process reconstructs the whole surface from the whole input; the
  * outputs of the others are empty.
  *
  * @section Guarantees Guarantees
- * G1 to G7 in Core/Reconstruct.h: closed (but for BorderContours = LEAVE_OPEN_AT_BORDER), 2-manifold, consistently oriented outwards, contour
- * vertices kept, the same bytes for any number of threads and on every execution, no two triangles
- * that cross, nothing outside the box of the contours by more than half a spacing. If slices do not lie
- * across the axes of the world, the box is one along the axes of the families, and vertices are kept but for
- * rounding.
+ * G1 to G7 in Core/Reconstruct.h: closed (but for BorderContours = LEAVE_OPEN_AT_BORDER),
+ * 2-manifold, consistently oriented outwards, contour vertices kept, the same bytes for any number
+ * of threads and on every execution, no two triangles that cross, nothing outside the box of the
+ * contours by more than half a spacing. If slices do not lie across the axes of the world, the box
+ * is one along the axes of the families, and vertices are kept but for rounding.
  *
  * @section Errors Errors
  * No contours on any port, contours of which none can be used, and given axes that are none are
  * errors, with empty outputs. Contours that are open, leave their plane by more than the tolerance,
  * have no area, or coordinates that are not finite are mended or else left out (InvalidContours =
- * MEND, the default): one warning counts them by kinds, with port, cell and coordinate of the first of
- * each kind, and port 6 lists them all. With REFUSE they are errors, with LEAVE_OUT all of them are left
- * out. So are contours that cross themselves or each other within one slice (CrossingContours); by
- * default one warning counts them, and LoopRule says what they bound. Where the families contradict each other by more than ReportTolerance, one
- * warning says so, and the "Disagreement" array shows where. It also tells of contours that take no
- * part in the surface, of a surface that is inside out, of ExpectedComponents and ExpectedGenus that
- * cannot be met, and of undecided places where the odds are near even and that matter: both parts
- * are at least as wide as the planes are apart, or remain in different components. All other
- * undecided places are in the table only.
+ * MEND, the default): one warning counts them by kinds, with port, cell and coordinate of the first
+ * of each kind, and port 6 lists them all. With REFUSE they are errors, with LEAVE_OUT all of them
+ * are left out. So are contours that cross themselves or each other within one slice
+ * (CrossingContours); by default one warning counts them, and LoopRule says what they bound. Where
+ * the families contradict each other by more than ReportTolerance, one warning says so, and the
+ * "Disagreement" array shows where. It also tells of contours that take no part in the surface, of
+ * a surface that is inside out, of ExpectedComponents and ExpectedGenus that cannot be met, and of
+ * undecided places where the odds are near even and that matter: both parts are at least as wide as
+ * the planes are apart, or remain in different components. All other undecided places are in the
+ * table only.
  *
  * @sa vtkOrthogonalSlicer vtkRuledSurfaceFilter vtkCutter
  */
@@ -356,10 +360,10 @@ public:
 
   ///@{
   /**
-   * Name of the cell array of the inputs that says which structure a contour belongs to: numbers, or
-   * names (vtkStringArray). One run then makes one closed surface for each label, from its contours
-   * alone, with these properties, and appends all outputs (see Labels). Empty (default) or "None":
-   * all contours belong to one structure. A name that no input has is an error.
+   * Name of the cell array of the inputs that says which structure a contour belongs to: numbers,
+   * or names (vtkStringArray). One run then makes one closed surface for each label, from its
+   * contours alone, with these properties, and appends all outputs (see Labels). Empty (default) or
+   * "None": all contours belong to one structure. A name that no input has is an error.
    */
   vtkSetStdStringFromCharMacro(LabelArray);
   vtkGetCharFromStdStringMacro(LabelArray);
@@ -386,13 +390,13 @@ public:
   ///@{
   /**
    * What happens to contours that are open, off their plane, without area or not finite. MEND
-   * (default): they are mended with a warning, and listed on port 6. Vertices that are off their plane
-   * by at most a tenth of the least distance between the slices of their port are put on it; gaps of at
-   * most a fifth of the length of the contours are closed, by straight lines; what runs past its own
-   * start, or past that of the next piece, is trimmed, and at most a quarter of it; contours that end at
-   * the border of the image are closed along it (see BorderContours). Pieces of one or two points, loops
-   * without area and what cannot be mended are left out. REFUSE: an error, and no surface. LEAVE_OUT:
-   * they are left out with a warning.
+   * (default): they are mended with a warning, and listed on port 6. Vertices that are off their
+   * plane by at most a tenth of the least distance between the slices of their port are put on it;
+   * gaps of at most a fifth of the length of the contours are closed, by straight lines; what runs
+   * past its own start, or past that of the next piece, is trimmed, and at most a quarter of it;
+   * contours that end at the border of the image are closed along it (see BorderContours). Pieces
+   * of one or two points, loops without area and what cannot be mended are left out. REFUSE: an
+   * error, and no surface. LEAVE_OUT: they are left out with a warning.
    */
   vtkSetClampMacro(InvalidContours, int, REFUSE, MEND);
   vtkGetMacro(InvalidContours, int);
@@ -403,16 +407,16 @@ public:
 
   ///@{
   /**
-   * What happens, with InvalidContours = MEND, to contours that end at the border of the image. They
-   * are closed along it (default), or the surface is left open there, or the input is refused with an
-   * error. The border is a rectangle in the planes of each port. A side of it is where the contours reach
-   * farthest along an axis and two or more loose ends lie. Where contours could be closed on either side,
-   * they keep to the sides at which ends lie, and to the shorter way.
+   * What happens, with InvalidContours = MEND, to contours that end at the border of the image.
+   * They are closed along it (default), or the surface is left open there, or the input is refused
+   * with an error. The border is a rectangle in the planes of each port. A side of it is where the
+   * contours reach farthest along an axis and two or more loose ends lie. Where contours could be
+   * closed on either side, they keep to the sides at which ends lie, and to the shorter way.
    *
-   * Left open, the contours are continued at right angles across the border, for the mean distance of the
-   * slices, and the surface of these is cut off at it. It ends there with a boundary that lies on the
-   * border, and is closed elsewhere. The graph shows the contours as continued, and numbers of components
-   * and handles are those before the cut.
+   * Left open, the contours are continued at right angles across the border, for the mean distance
+   * of the slices, and the surface of these is cut off at it. It ends there with a boundary that
+   * lies on the border, and is closed elsewhere. The graph shows the contours as continued, and
+   * numbers of components and handles are those before the cut.
    */
   vtkSetClampMacro(BorderContours, int, CLOSE_ALONG_BORDER, REFUSE_AT_BORDER);
   vtkGetMacro(BorderContours, int);
@@ -423,12 +427,12 @@ public:
 
   ///@{
   /**
-   * The border of the image, where it is known (see BorderContours): least and greatest x, y and z, as
-   * vtkDataSet::GetBounds has them. A single loose end at a side is enough then, and contours that
-   * reach farther elsewhere do not matter. An axis whose least value is not below its greatest is not
-   * given: its sides are found from the contours. So are infinite sides not there. Default: 0, -1 for all
-   * axes, nothing given. World units. Where the planes are turned, the values are those along the axes
-   * of the families: distances along their normals (field data FamilyNormals).
+   * The border of the image, where it is known (see BorderContours): least and greatest x, y and z,
+   * as vtkDataSet::GetBounds has them. A single loose end at a side is enough then, and contours
+   * that reach farther elsewhere do not matter. An axis whose least value is not below its greatest
+   * is not given: its sides are found from the contours. So are infinite sides not there. Default:
+   * 0, -1 for all axes, nothing given. World units. Where the planes are turned, the values are
+   * those along the axes of the families: distances along their normals (field data FamilyNormals).
    *
    * Contours end on the border exactly. With slices of three families, or two, that are no fewer
    * than two across each axis at whose sides contours end, the surface ends flat there, with an
@@ -459,15 +463,16 @@ public:
    * What contours of one slice bound together that cross or overlap each other or themselves, with
    * CrossingContours = REPAIR_CROSSING.
    *
-   * UNION (default): loops that overlap count as their union, loops within others as holes, and so on
-   * inwards, whatever their directions. All lobes of a loop that crosses itself are inside. An outline
-   * and a hole that are joined by a bridge drawn there and back are two loops.
+   * UNION (default): loops that overlap count as their union, loops within others as holes, and so
+   * on inwards, whatever their directions. All lobes of a loop that crosses itself are inside. An
+   * outline and a hole that are joined by a bridge drawn there and back are two loops.
    *
-   * EVEN_ODD: what an odd number of loops runs around is inside. NON_ZERO: what they run around more
-   * often in one direction than in the other one.
+   * EVEN_ODD: what an odd number of loops runs around is inside. NON_ZERO: what they run around
+   * more often in one direction than in the other one.
    *
-   * With Orientation = ORIENT_AS_DRAWN, UNION and NON_ZERO both take for inside what contours run around
-   * more often counter-clockwise than clockwise. Where no contours meet, UNION and EVEN_ODD are the same.
+   * With Orientation = ORIENT_AS_DRAWN, UNION and NON_ZERO both take for inside what contours run
+   * around more often counter-clockwise than clockwise. Where no contours meet, UNION and EVEN_ODD
+   * are the same.
    */
   vtkSetClampMacro(LoopRule, int, UNION, NON_ZERO);
   vtkGetMacro(LoopRule, int);
@@ -478,11 +483,12 @@ public:
 
   ///@{
   /**
-   * The axes across which the planes of the contours lie. Automatic (default): those of the world if
-   * all contours lie on planes across them, as far as noise lets one see; else they are found from
-   * the contours, whose planes may be turned any way, and need not be at right angles to each other
-   * (see Inputs). World: those of the world, whatever the contours look like; those of ports 0, 1 and
-   * 2 belong to x, y and z unless they lie on a plane across another axis. Given: FrameNormals.
+   * The axes across which the planes of the contours lie. Automatic (default): those of the world
+   * if all contours lie on planes across them, as far as noise lets one see; else they are found
+   * from the contours, whose planes may be turned any way, and need not be at right angles to each
+   * other (see Inputs). World: those of the world, whatever the contours look like; those of ports
+   * 0, 1 and 2 belong to x, y and z unless they lie on a plane across another axis. Given:
+   * FrameNormals.
    */
   vtkSetClampMacro(Frame, int, AUTOMATIC_FRAME, GIVEN_FRAME);
   vtkGetMacro(Frame, int);
@@ -493,11 +499,12 @@ public:
 
   ///@{
   /**
-   * A contour that was drawn a second time counts once, with a warning: if it is closer than this to
-   * the first one everywhere, as a share of its thickness (twice the area by the length: the radius of
-   * a circle, the width of a strip). A thin wall looks the same; it stays where slices across show
-   * both of its sides, or, without slices across, where its sides run in opposite directions on
-   * neighbouring slices. With 0, only exact copies are left out. Default 0.05, range 0 to 0.5.
+   * A contour that was drawn a second time counts once, with a warning: if it is closer than this
+   * to the first one everywhere, as a share of its thickness (twice the area by the length: the
+   * radius of a circle, the width of a strip). A thin wall looks the same; it stays where slices
+   * across show both of its sides, or, without slices across, where its sides run in opposite
+   * directions on neighbouring slices. With 0, only exact copies are left out. Default 0.05, range
+   * 0 to 0.5.
    */
   vtkSetClampMacro(RedrawnTolerance, double, 0.0, 0.5);
   vtkGetMacro(RedrawnTolerance, double);
@@ -505,10 +512,10 @@ public:
 
   ///@{
   /**
-   * With Frame Given, the normals of the planes of the x-, y- and z-slices, one after another, of any
-   * length; of slices of an image, the columns of its direction matrix. If they are left-handed, the
-   * third one is reversed. Three that are nearly in one plane are an error. Default: the axes of the
-   * world.
+   * With Frame Given, the normals of the planes of the x-, y- and z-slices, one after another, of
+   * any length; of slices of an image, the columns of its direction matrix. If they are
+   * left-handed, the third one is reversed. Three that are nearly in one plane are an error.
+   * Default: the axes of the world.
    */
   vtkSetVectorMacro(FrameNormals, double, 9);
   vtkGetVectorMacro(FrameNormals, double, 9);
@@ -516,10 +523,10 @@ public:
 
   ///@{
   /**
-   * Whether a contour is interpolated on a slice that lacks it: where those of the slices before and
-   * after it overlap, do not shrink towards it and have no other one to continue, while other
-   * contours are drawn on the slice. A warning says how many there are, and on which slices. Default:
-   * on.
+   * Whether a contour is interpolated on a slice that lacks it: where those of the slices before
+   * and after it overlap, do not shrink towards it and have no other one to continue, while other
+   * contours are drawn on the slice. A warning says how many there are, and on which slices.
+   * Default: on.
    */
   vtkSetMacro(InsertMissingContours, bool);
   vtkGetMacro(InsertMissingContours, bool);
@@ -533,19 +540,21 @@ public:
    * they are; then the surface of the same topology that bends least between their contours is cut
    * on additional, virtual planes, and the surface is made once more from real and virtual slices.
    * Real slices outrank virtual ones everywhere: contours that meet no other real ones keep their
-   * vertices. The report is of real slices, and an array "Virtual" tells them from virtual ones in the
-   * graph and in the table of slices. Of a stack with a few slices across, the surface of the stack
-   * alone is bent, through the contours of the slices across, and its topology counts. Should the
-   * topology come out otherwise, that of all slices is bent, and at last the first surface stays, and
-   * there are no virtual slices in the outputs. None are added to a surface that is inside out.
+   * vertices. The report is of real slices, and an array "Virtual" tells them from virtual ones in
+   * the graph and in the table of slices. Of a stack with a few slices across, the surface of the
+   * stack alone is bent, through the contours of the slices across, and its topology counts. Should
+   * the topology come out otherwise, that of all slices is bent, and at last the first surface
+   * stays, and there are no virtual slices in the outputs. None are added to a surface that is
+   * inside out.
    *
    * Automatic (default): on the axes of missing families, and where a family has three times the
-   * planes of another and 8 or more (5, if there are no others), between planes of the other one that
-   * are farther apart than 0.117 of the extent. Virtual planes are as far apart as the slices of the densest family, at most a
-   * twelfth and at least a 64th of the extent along their axis. Three families with about as many
-   * slices each get none. Off: none. By spacing: as far apart as VirtualSliceSpacing says, in world
-   * units, wherever slices are farther apart than 1.4 times that. Valid range of the spacing: 0 (as
-   * with Automatic) or more, but for more than 1024 planes on an axis; default 0.
+   * planes of another and 8 or more (5, if there are no others), between planes of the other one
+   * that are farther apart than 0.117 of the extent. Virtual planes are as far apart as the slices
+   * of the densest family, at most a twelfth and at least a 64th of the extent along their axis.
+   * Three families with about as many slices each get none. Off: none. By spacing: as far apart as
+   * VirtualSliceSpacing says, in world units, wherever slices are farther apart than 1.4 times
+   * that. Valid range of the spacing: 0 (as with Automatic) or more, but for more than 1024 planes
+   * on an axis; default 0.
    */
   vtkSetClampMacro(VirtualSlices, int, AUTOMATIC_VIRTUAL_SLICES, VIRTUAL_SLICES_BY_SPACING);
   vtkGetMacro(VirtualSlices, int);
@@ -558,13 +567,14 @@ public:
 
   ///@{
   /**
-   * With several families of fewer than a dozen slices each, or a stack of 8 to 16 with a few across:
-   * whether virtual slices are those of a smooth function that is zero on all contours (radial basis
-   * functions with derivatives), if it foretells slices that are left out about as well as what there is
-   * without it. Of round things with few slices that is mostly much closer. It may join what the slices
-   * leave open, but what ExpectedComponents and ExpectedGenus have decided stays so; it depends on
-   * rounding, so that the same contours along other axes give a surface that differs a little. Takes a
-   * second or two. Nothing with VirtualSlices off. Default: on.
+   * With several families of fewer than a dozen slices each, or a stack of 8 to 16 with a few
+   * across: whether virtual slices are those of a smooth function that is zero on all contours
+   * (radial basis functions with derivatives), if it foretells slices that are left out about as
+   * well as what there is without it. Of round things with few slices that is mostly much closer.
+   * It may join what the slices leave open, but what ExpectedComponents and ExpectedGenus have
+   * decided stays so; it depends on rounding, so that the same contours along other axes give a
+   * surface that differs a little. Takes a second or two. Nothing with VirtualSlices off. Default:
+   * on.
    */
   vtkSetMacro(FollowField, bool);
   vtkGetMacro(FollowField, bool);
@@ -573,16 +583,17 @@ public:
 
   ///@{
   /**
-   * How the object ends where there is one family of slices. Dome (default): in domes, half a spacing
-   * high at most, or flat at the last slice where the last section is at least 0.98 of the one before.
-   * Flat: flat at the last slice of each part, also where a part ends between two slices; what is on
-   * one slice alone keeps its domes. Half slice: walls go on from the first and the last slice at right
-   * angles, by half the distance of the two slices there (half the mean distance at most), and end flat,
-   * so that each of equally spaced slices stands for one spacing: the volume of a cylinder of n slices is
-   * n times area times spacing, as in treatment planning. A single slice becomes a plate, half as thick
-   * as the greater extent of its contours. Parts that end between two slices end in the middle between
-   * them in the same way, unless VirtualSlices is off: then, in domes. The rims are copies of the last
-   * contours on virtual planes, which the outputs say (see VirtualSlices).
+   * How the object ends where there is one family of slices. Dome (default): in domes, half a
+   * spacing high at most, or flat at the last slice where the last section is at least 0.98 of the
+   * one before. Flat: flat at the last slice of each part, also where a part ends between two
+   * slices; what is on one slice alone keeps its domes. Half slice: walls go on from the first and
+   * the last slice at right angles, by half the distance of the two slices there (half the mean
+   * distance at most), and end flat, so that each of equally spaced slices stands for one spacing:
+   * the volume of a cylinder of n slices is n times area times spacing, as in treatment planning. A
+   * single slice becomes a plate, half as thick as the greater extent of its contours. Parts that
+   * end between two slices end in the middle between them in the same way, unless VirtualSlices is
+   * off: then, in domes. The rims are copies of the last contours on virtual planes, which the
+   * outputs say (see VirtualSlices).
    * With two families and more, slices across show the ends, and nothing changes.
    */
   vtkSetClampMacro(EndCaps, int, DOME_ENDS, HALF_SLICE_ENDS);
@@ -652,8 +663,8 @@ public:
 
   ///@{
   /**
-   * How spatial polygons are filled. Smooth (default): each patch passes through the contours around
-   * it and has their tangent planes, so that the whole surface is smooth. Fan: the paper's
+   * How spatial polygons are filled. Smooth (default): each patch passes through the contours
+   * around it and has their tangent planes, so that the whole surface is smooth. Fan: the paper's
    * quadrilaterals, each a fan around the central point. Coons: the paper's quadrilaterals,
    * bilinearly blended. Patches that join several polygons are built from plain triangles in all
    * cases.
@@ -667,9 +678,10 @@ public:
 
   ///@{
   /**
-   * Length of the sides of triangles inside smooth patches, in plane spacings (the least mean spacing
-   * of the three axes). Coons patches get 0.5 / EdgeLength parts on each side. Default 0.25, range
-   * 0.02 to 10. Contours keep their vertices: beside them, sides are about as long as theirs.
+   * Length of the sides of triangles inside smooth patches, in plane spacings (the least mean
+   * spacing of the three axes). Coons patches get 0.5 / EdgeLength parts on each side. Default
+   * 0.25, range 0.02 to 10. Contours keep their vertices: beside them, sides are about as long as
+   * theirs.
    */
   vtkSetClampMacro(EdgeLength, double, 0.02, 10.0);
   vtkGetMacro(EdgeLength, double);
@@ -678,8 +690,8 @@ public:
   ///@{
   /**
    * Distance of triangles from the smooth surface that is aimed at, in plane spacings: where the
-   * normals of the border of a patch say that it is more curved, its triangles are smaller; they are
-   * no larger than EdgeLength. Default 0: all are as large as EdgeLength. Range 0 to 1.
+   * normals of the border of a patch say that it is more curved, its triangles are smaller; they
+   * are no larger than EdgeLength. Default 0: all are as large as EdgeLength. Range 0 to 1.
    */
   vtkSetClampMacro(ChordTolerance, double, 0.0, 1.0);
   vtkGetMacro(ChordTolerance, double);
@@ -687,13 +699,13 @@ public:
 
   ///@{
   /**
-   * With few triangles of good shape: how far contours may be from the surface, in plane spacings (the
-   * least mean spacing of the two axes in each slice). At 0.025, three families of slices get about a
-   * seventh of the triangles at nearly the same accuracy. Contours do not keep their vertices then, but
-   * the surface passes within this distance of them. Triangles are as large as that allows; EdgeLength
-   * bounds them, in quarters of the mean radius of a patch, and ChordTolerance says nothing. For smooth
-   * patches of one structure; several labels, and contours that meet no other family, keep their
-   * vertices. Default 0: all contours do. Range 0 to 1.
+   * With few triangles of good shape: how far contours may be from the surface, in plane spacings
+   * (the least mean spacing of the two axes in each slice). At 0.025, three families of slices get
+   * about a seventh of the triangles at nearly the same accuracy. Contours do not keep their
+   * vertices then, but the surface passes within this distance of them. Triangles are as large as
+   * that allows; EdgeLength bounds them, in quarters of the mean radius of a patch, and
+   * ChordTolerance says nothing. For smooth patches of one structure; several labels, and contours
+   * that meet no other family, keep their vertices. Default 0: all contours do. Range 0 to 1.
    */
   vtkSetClampMacro(Accuracy, double, 0.0, 1.0);
   vtkGetMacro(Accuracy, double);
@@ -701,9 +713,9 @@ public:
 
   ///@{
   /**
-   * Whether the accuracy follows from the surface's own error, as the fit of smooth patches to contours and
-   * what slices disagree on tell it, in the place of Accuracy: as few triangles as add about a twentieth
-   * to that error. Off by default.
+   * Whether the accuracy follows from the surface's own error, as the fit of smooth patches to
+   * contours and what slices disagree on tell it, in the place of Accuracy: as few triangles as add
+   * about a twentieth to that error. Off by default.
    */
   vtkSetMacro(AutomaticAccuracy, bool);
   vtkGetMacro(AutomaticAccuracy, bool);
@@ -733,8 +745,8 @@ public:
   /**
    * Contour vertices within this distance of the line through the others are left out, in plane
    * spacings: for contours with far more vertices than needed. Normals come from what is left, so
-   * that a hundredth is a large value. Contours that meet no other family keep theirs. Default 0: all
-   * are kept. Range 0 to 1.
+   * that a hundredth is a large value. Contours that meet no other family keep theirs. Default 0:
+   * all are kept. Range 0 to 1.
    */
   vtkSetClampMacro(ContourTolerance, double, 0.0, 1.0);
   vtkGetMacro(ContourTolerance, double);
@@ -808,7 +820,8 @@ public:
   /**
    * Precision of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or
    * DEFAULT_PRECISION (default): double if any input has double points, or if the slices do not lie
-   * across the axes of the world; single precision may make slivers of triangles touch in that case.
+   * across the axes of the world; single precision may make slivers of triangles touch in that
+   * case.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);

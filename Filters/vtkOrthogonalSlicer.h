@@ -5,9 +5,9 @@
  * @brief   cut a closed surface or an image into three orthogonal sets of contours
  *
  * Makes input for vtkOrthogonalSliceReconstruction from any model: cuts a closed surface, or the
- * region of an image at or above an iso-value or with one label, or each label of an image by itself,
- * on three families of parallel planes, each orthogonal to one coordinate axis; of an image with a
- * direction matrix, orthogonal to one axis of the image.
+ * region of an image at or above an iso-value or with one label, or each label of an image by
+ * itself, on three families of parallel planes, each orthogonal to one coordinate axis; of an image
+ * with a direction matrix, orthogonal to one axis of the image.
  *
  * @section SlicerInputs Inputs
  * Port 0, one of
@@ -16,8 +16,8 @@
  *    identical coordinates count as one where the surface would be open otherwise (as at the
  *    creases of vtkCubeSource). A surface that encloses a negative volume is taken for one that is
  *    oriented inwards, and reversed as a whole.
- *  - vtkUnstructuredGrid, vtkStructuredGrid: a mesh of solid cells. The faces that only one cell has
- *    are its surface, for which the same holds.
+ *  - vtkUnstructuredGrid, vtkStructuredGrid: a mesh of solid cells. The faces that only one cell
+ *    has are its surface, for which the same holds.
  *  - vtkImageData: scalars on points, chosen with SetInputArrayToProcess() (default: the active
  *    point scalars; of several components the first). It may have any direction matrix that is
  *    not singular: see below. A scalar that is not a number is outside. Blanking is ignored.
@@ -32,8 +32,8 @@
  *  - cell data "PlaneIndex" (int): index of the plane on this axis in ascending order, where
  *    planes without contours count;
  *  - cell data "PlaneCoordinate" (double): the plane's coordinate;
- *  - cell data "Label" (of the type of the scalars), with EveryLabel only: the label of the contour;
- *    contours are ordered by plane, then by label;
+ *  - cell data "Label" (of the type of the scalars), with EveryLabel only: the label of the
+ *    contour; contours are ordered by plane, then by label;
  *  - field data "PlaneCoordinates" (double): coordinates of all planes of this axis, ascending.
  *
  * @section Planes Planes
@@ -67,22 +67,23 @@
  *
  * @section Oblique Oblique images
  * Where the direction matrix does no more than permute and flip the axes, planes are those of
- * constant x, y and z. Else the slices are those of the image itself, and the contours lie on oblique
- * planes, where they belong in the world. Ports 0, 1 and 2 have the slices across the image axes that
- * are closest to x, y and z (all three together), each directed as its coordinate axis is. Planes and
- * "PlaneCoordinate" are given along these axes: with unit vectors a, b and c along them, a point has
- * the coordinates u, v and w for which it is u a + v b + w c. So "x" in the properties below is u.
- * What is said above about a coordinate that equals the plane's then holds up to rounding; contours
- * of two slices still share their crossings exactly. The axes need not be perpendicular to each other
- * (images of an inclined gantry); where they are left-handed in the order of the ports, the axis that
- * is farthest from its coordinate axis runs the other way. vtkOrthogonalSliceReconstruction finds such
- * planes from the contours.
+ * constant x, y and z. Else the slices are those of the image itself, and the contours lie on
+ * oblique planes, where they belong in the world. Ports 0, 1 and 2 have the slices across the image
+ * axes that are closest to x, y and z (all three together), each directed as its coordinate axis
+ * is. Planes and "PlaneCoordinate" are given along these axes: with unit vectors a, b and c along
+ * them, a point has the coordinates u, v and w for which it is u a + v b + w c. So "x" in the
+ * properties below is u. What is said above about a coordinate that equals the plane's then holds
+ * up to rounding; contours of two slices still share their crossings exactly. The axes need not be
+ * perpendicular to each other (images of an inclined gantry); where they are left-handed in the
+ * order of the ports, the axis that is farthest from its coordinate axis runs the other way.
+ * vtkOrthogonalSliceReconstruction finds such planes from the contours.
  *
  * @section SlicerErrors Errors
  * With an error message and empty outputs: a surface that is open, has an edge with more than two
  * triangles or inconsistently oriented triangles (the first such edge is named with its
- * coordinates), points that are not finite, an image without point scalars or with a singular direction
- * matrix, a spacing that is not positive, plane coordinates that are not finite, no plane at all.
+ * coordinates), points that are not finite, an image without point scalars or with a singular
+ * direction matrix, a spacing that is not positive, plane coordinates that are not finite, no plane
+ * at all.
  *
  * @sa vtkOrthogonalSliceReconstruction vtkCutter vtkFlyingEdges2D
  */
@@ -205,8 +206,8 @@ public:
   /**
    * Images: whether the scalars are labels, each of which is cut by itself, instead of one region
    * (UseLabel and IsoValue then say nothing). The outputs have the cell data "Label" of the type of
-   * the scalars, for LabelArray of vtkOrthogonalSliceReconstruction. Where samples of two labels are
-   * neighbours, both have the same contour vertices between them. Default off.
+   * the scalars, for LabelArray of vtkOrthogonalSliceReconstruction. Where samples of two labels
+   * are neighbours, both have the same contour vertices between them. Default off.
    */
   vtkSetMacro(EveryLabel, bool);
   vtkGetMacro(EveryLabel, bool);

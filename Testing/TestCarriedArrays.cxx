@@ -57,8 +57,8 @@ vtkSmartPointer<Array> NewArray(const char* name, vtkIdType tuples, int componen
   return array;
 }
 
-/// Contours with their coordinate along the axis ("Height"), a number that is never 0 ("Number"), and
-/// the name of their family ("Family").
+/// Contours with their coordinate along the axis ("Height"), a number that is never 0 ("Number"),
+/// and the name of their family ("Family").
 vtkSmartPointer<vtkPolyData> CarryingSlices(const Pieces& pieces)
 {
   auto data = MakePolyData(pieces);

@@ -18,7 +18,8 @@ using namespace orthoslices;
 using namespace orthoslices::support;
 
 //----------------------------------------------------------------------------
-/// A saddle whose middle lies on the border: what remains are two parts, each with a middle of its own.
+/// A saddle whose middle lies on the border: what remains are two parts, each with a middle of its
+/// own.
 TEST(CutAtBorder, PartsThatTouchInAPointOfTheBorderHaveNoPointInCommon)
 {
   vtkNew<vtkPoints> points;

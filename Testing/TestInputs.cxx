@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   contours as people have them: in one data set or several, in any port, on planes of any frame
+ * @brief   contours as people have them: in one data set or several, in any port, on planes of any
+ * frame
  */
 
 #include "vtkOrthogonalSliceReconstruction.h"
@@ -327,7 +328,8 @@ TEST(Inputs, OtherPlanesAreComparedWithTheSurface)
   ASSERT_EQ(table->GetNumberOfRows(), rows + 1);
   EXPECT_EQ(ValueOf(table, rows, "Port"), 3.0);
   EXPECT_EQ(ValueOf(table, rows, "SlicePlane"), -1.0);
-  // The farthest corners are at (0, 0, 4.5): 2 above the cube, and half of 1 beside it on both sides.
+  // The farthest corners are at (0, 0, 4.5): 2 above the cube, and half of 1 beside it on both
+  // sides.
   EXPECT_NEAR(ValueOf(table, rows, "MaxDisagreement"), std::sqrt(4.5), 0.3);
   EXPECT_LT(ValueOf(table, rows, "RmsDisagreement"), ValueOf(table, rows, "MaxDisagreement"));
 }

@@ -178,8 +178,8 @@ TEST(LabelBorders, DoNotCrossInOtherSparseSlices)
   }
 }
 
-/// All labels together fill what they would fill as one label: nothing is missing where three of them meet on
-/// the outside, and nothing between a thin shell and the labels on both sides of it.
+/// All labels together fill what they would fill as one label: nothing is missing where three of
+/// them meet on the outside, and nothing between a thin shell and the labels on both sides of it.
 TEST(LabelBorders, LeaveNothingOut)
 {
   for (const LabelImage& image :
@@ -203,8 +203,8 @@ TEST(LabelBorders, PartsThatAreSeparatedAreCounted)
 
 namespace
 {
-/// Images of other kinds: eight labels in a box, by wavy borders, in blocks, in one another; thin layers; and
-/// stairs.
+/// Images of other kinds: eight labels in a box, by wavy borders, in blocks, in one another; thin
+/// layers; and stairs.
 LabelImage ImageOfKind(int kind)
 {
   switch (kind)
@@ -257,8 +257,9 @@ void AddVertex(int axis, double u, double v, double w, vtkPoints* points)
   points->InsertNextPoint(p.data());
 }
 
-/// The part of a circle around the origin, of one slice, where x, which is the coordinate `x` (0 or 1) of
-/// the slice, is less (`side` -1) or more (1) than a border: an arc and the straight line between its ends.
+/// The part of a circle around the origin, of one slice, where x, which is the coordinate `x` (0 or
+/// 1) of the slice, is less (`side` -1) or more (1) than a border: an arc and the straight line
+/// between its ends.
 void AddPart(int axis, int x, double radius, double border, int side, double w, vtkPolyData* data)
 {
   constexpr int parts = 200;

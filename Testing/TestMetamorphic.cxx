@@ -79,8 +79,8 @@ vtkSmartPointer<vtkPolyData> Surface(
   return UpdateInDouble(run);
 }
 
-/// Fans between the slices that there are depend on nothing but the contours: not on which axis is the
-/// first one, nor on left and right.
+/// Fans between the slices that there are depend on nothing but the contours: not on which axis is
+/// the first one, nor on left and right.
 vtkSmartPointer<vtkPolyData> SurfaceOfFans(const PieceSets& sets)
 {
   FilterRun run(sets, Form::ClosedLine, VTK_DOUBLE);

@@ -98,8 +98,8 @@ TEST(Regression, SpikeThatMissesItselfByOneStep)
 }
 
 //----------------------------------------------------------------------------
-/// Where contours of neighbouring slices cross in projection next to a corner, rounding to float put the
-/// new vertices of both sides of the corner on one line.
+/// Where contours of neighbouring slices cross in projection next to a corner, rounding to float
+/// put the new vertices of both sides of the corner on one line.
 TEST(Regression, NewVerticesOfParallelSlicesBesideACorner)
 {
   Options options = ByNesting();
@@ -129,8 +129,8 @@ TEST(Regression, IsolatedContourOneStepWide)
 }
 
 //----------------------------------------------------------------------------
-// Two contours with a corner in common in projection: their slices are displaced by less than the steps
-// of float, which makes one vertex of two.
+// Two contours with a corner in common in projection: their slices are displaced by less than the
+// steps of float, which makes one vertex of two.
 
 TEST(Regression, NewVerticesOfAStackThatRoundingMovesToOldOnes)
 {

@@ -590,8 +590,8 @@ TEST(ReportOfFilter, NamesTheSliceThatWasOverruled)
 //----------------------------------------------------------------------------
 TEST(ReportOfFilter, CountsSnippedCrossingsAboveTheTolerance)
 {
-  // Between y = 1.2 and 1.4 the slice z = 2 does not reach as far as x = 2; the slice x = 2 does not
-  // know.
+  // Between y = 1.2 and 1.4 the slice z = 2 does not reach as far as x = 2; the slice x = 2 does
+  // not know.
   FilterRun run(ParsePieces(
     CubeWithoutLid + "z=2: 0.5,0.5 2.5,0.5 2.5,1.2 1.9,1.2 1.9,1.4 2.5,1.4 2.5,2.5 0.5,2.5"));
   const double share = 0.2 / std::sqrt(3.0 * 2.0 * 2.0);

@@ -20,8 +20,8 @@ namespace orthoslices
  *    names their number (int) in the field data "LabelNames" of the surface;
  *  - tables have "Label" for their first column: the number or the name;
  *  - components are numbered on from label to label;
- *  - field data of the surface that count are summed up, measures of triangles are those of all; and
- *    there are "LabelNames" (of all labels, also as numbers), "LabelArea" and "LabelVolume".
+ *  - field data of the surface that count are summed up, measures of triangles are those of all;
+ *    and there are "LabelNames" (of all labels, also as numbers), "LabelArea" and "LabelVolume".
  */
 class LabelOutputs
 {

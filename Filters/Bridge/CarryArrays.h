@@ -18,19 +18,20 @@ namespace orthoslices
 struct Reconstruction;
 
 /**
- * Carries the cell arrays of the contours to the graph and to the surface. An array with the name of
- * one that these have of their own gets "Input" before its name.
+ * Carries the cell arrays of the contours to the graph and to the surface. An array with the name
+ * of one that these have of their own gets "Input" before its name.
  *
  * Arcs and isolated contours have the values of their contours; node points, repairs and what was
- * added have none. A triangle has those of one contour beside its patch, see FindPatchSources; which,
- * is chosen for each array among the contours that have it. The arrays "PlaneIndex" and
+ * added have none. A triangle has those of one contour beside its patch, see FindPatchSources;
+ * which, is chosen for each array among the contours that have it. The arrays "PlaneIndex" and
  * "PlaneCoordinate", which vtkOrthogonalSlicer writes, say nothing of a surface and stay off it.
  */
 class ArrayCarrier
 {
 public:
   /// `ownName` is the name of one more array of their own; empty if there is none.
-  /// REQUIRES: ReconstructSorted made the result, from what ReadPieces reads of the inputs of all ports.
+  /// REQUIRES: ReconstructSorted made the result, from what ReadPieces reads of the inputs of all
+  /// ports.
   ArrayCarrier(const std::vector<vtkDataObject*>& inputs, const Reconstruction& result,
     const std::string& ownName = std::string());
 

@@ -20,15 +20,15 @@ class vtkTable;
 
 namespace orthoslices
 {
-/// The distances of the points of each polyline from the nearest triangle; of no points if there are
-/// no triangles.
+/// The distances of the points of each polyline from the nearest triangle; of no points if there
+/// are no triangles.
 std::vector<Agreement> MeasureDistances(const Polylines& lines, vtkPolyData* surface);
 
 /// Appends a row for each polyline to the table of contours.
 void WriteOthers(const Polylines& lines, const std::vector<Agreement>& distances, vtkTable* table);
 
-/// What the user should be told of them; empty if there are none. `guiding` says of each whether the
-/// surface was bent through contours of its plane (Reconstruction::Guiding).
+/// What the user should be told of them; empty if there are none. `guiding` says of each whether
+/// the surface was bent through contours of its plane (Reconstruction::Guiding).
 std::string DescribeOthers(const Polylines& lines, const std::vector<Agreement>& distances,
   const std::vector<std::uint8_t>& guiding);
 }

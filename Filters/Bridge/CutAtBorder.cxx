@@ -22,7 +22,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Points of a plane are beside it by no more than so many steps of the precision once they are turned.
+/// Points of a plane are beside it by no more than so many steps of the precision once they are
+/// turned.
 constexpr double TurnedSteps = 16.0;
 
 /// Keeps what lies below a coordinate of an axis, or above it.
@@ -142,8 +143,8 @@ void PlaneCutter::AddTriangle(vtkIdType cell, const vtkIdType* corners)
   }
 }
 
-/// A point of the plane at which parts of the surface touch that have nothing else in common becomes one
-/// for each, so that the boundary passes each of its points once.
+/// A point of the plane at which parts of the surface touch that have nothing else in common
+/// becomes one for each, so that the boundary passes each of its points once.
 void PlaneCutter::PartFans(vtkIdType point, const std::vector<std::size_t>& triangles)
 {
   std::map<vtkIdType, std::size_t> after; // triangles by the corner that follows the point

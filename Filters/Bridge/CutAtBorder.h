@@ -11,10 +11,11 @@ class vtkPolyData;
 namespace orthoslices
 {
 /**
- * Cuts off what of a surface of triangles lies beyond the sides of a box that are finite, so that it ends
- * on them with a boundary. The box is that of coordinates along the axes of the frame. Triangles across a
- * side are divided; arrays are interpolated at the points on it, and passed on to the parts. Triangles
- * that lie on a side go, and points of no triangle. Parts that touch in a point of a side have one each.
+ * Cuts off what of a surface of triangles lies beyond the sides of a box that are finite, so that
+ * it ends on them with a boundary. The box is that of coordinates along the axes of the frame.
+ * Triangles across a side are divided; arrays are interpolated at the points on it, and passed on
+ * to the parts. Triangles that lie on a side go, and points of no triangle. Parts that touch in a
+ * point of a side have one each.
  */
 void CutAtBorder(const Box3& border, const AxisFrame& frame, vtkPolyData* surface);
 }

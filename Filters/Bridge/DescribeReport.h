@@ -32,8 +32,8 @@ struct ReportSettings
 std::string DescribeProblem(const SurfaceProblem& problem);
 
 /**
- * What the user should be told of a surface that is closed all the same; empty if all is well. These
- * are, in this order:
+ * What the user should be told of a surface that is closed all the same; empty if all is well.
+ * These are, in this order:
  *  - contours that were mended, by kinds;
  *  - contours that were left out because they are open, off their plane or not finite;
  *  - contours that cross, and places where the lines of a slice were drawn anew because they touch;
@@ -41,8 +41,8 @@ std::string DescribeProblem(const SurfaceProblem& problem);
  *  - contours that run clockwise, so that the surface is inside out;
  *  - slabs so thin that patches in them may touch;
  *  - contours, or parts of them, that take no part in the surface;
- *  - places that matter and where the odds are near even (see FindDoubtfulJoins), and where to slice
- *    next; whatever else the slices leave open is in the table of undecided places only;
+ *  - places that matter and where the odds are near even (see FindDoubtfulJoins), and where to
+ *    slice next; whatever else the slices leave open is in the table of undecided places only;
  *  - numbers of components and handles that are not as expected.
  *
  * REQUIRES: RemoveSmallRepairs was called with the tolerance.

@@ -9,13 +9,13 @@ class vtkAlgorithm;
 
 namespace orthoslices
 {
-/// Loops run on vtkSMPTools; between the stages the filter reports progress and hears of requests to
-/// abort. The filter must outlive the execution.
+/// Loops run on vtkSMPTools; between the stages the filter reports progress and hears of requests
+/// to abort. The filter must outlive the execution.
 Execution ExecuteWithVtk(vtkAlgorithm* filter);
 
 /// An execution of one loop over few large items, such as planes, on vtkSMPTools: it runs in a few
-/// batches; between them the filter reports progress, from the first to the last value, and hears of
-/// requests to abort.
+/// batches; between them the filter reports progress, from the first to the last value, and hears
+/// of requests to abort.
 Execution ExecuteInBatches(vtkAlgorithm* filter, double firstProgress, double lastProgress);
 }
 

@@ -12,8 +12,8 @@ class vtkPolyData;
 
 namespace orthoslices
 {
-/// Calls visit with each vtkPolyData of an input, which may be composite, and its flat index: 0 if the
-/// input is not composite. What is no vtkPolyData is passed over.
+/// Calls visit with each vtkPolyData of an input, which may be composite, and its flat index: 0 if
+/// the input is not composite. What is no vtkPolyData is passed over.
 void VisitPolyData(
   vtkDataObject* input, const std::function<void(vtkPolyData* data, Index block)>& visit);
 

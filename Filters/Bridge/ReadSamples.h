@@ -53,8 +53,8 @@ SampleGrid ReadSampleGrid(vtkImageData* image, const ImageFrame& frame);
 /// Rounds all coordinates to the precision of the output.
 void RoundCoordinates(Precision precision, SampleGrid& grid);
 
-/// The samples that planes move to, each once. REQUIRES: ascending planes. With `dropBeyond`, planes
-/// more than half a spacing outside the image are left out.
+/// The samples that planes move to, each once. REQUIRES: ascending planes. With `dropBeyond`,
+/// planes more than half a spacing outside the image are left out.
 std::vector<Index> NearestSamples(
   const SampleAxis& samples, const std::vector<double>& planes, bool dropBeyond);
 

@@ -8,8 +8,8 @@ class vtkTable;
 
 namespace orthoslices
 {
-/// Port 7: area, volume and centroid of each component of the finished surface, which is closed unless it
-/// `mayBeOpen`.
+/// Port 7: area, volume and centroid of each component of the finished surface, which is closed
+/// unless it `mayBeOpen`.
 /// REQUIRES: cell data "ComponentId" and field data "NumberOfComponents".
 void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, vtkTable* table);
 }

@@ -72,7 +72,8 @@ std::vector<float> SelectTuples(
   return selected;
 }
 
-/// Distance of the two contours at the node points, 0 at all other points; of all or of some of them.
+/// Distance of the two contours at the node points, 0 at all other points; of all or of some of
+/// them.
 void AddDisagreement(const Reconstruction& result, vtkIdType points,
   const std::vector<std::int64_t>* some, vtkPointData* data)
 {

@@ -8,9 +8,9 @@
 namespace orthoslices
 {
 /**
- * How the surface that follows a field may hang together: what the first surface joins stays joined, and
- * tunnels come in only if `mayAdd`. Numbers that the user expects have been decided by the first
- * surface.
+ * How the surface that follows a field may hang together: what the first surface joins stays
+ * joined, and tunnels come in only if `mayAdd`. Numbers that the user expects have been decided by
+ * the first surface.
  */
 class FieldTopology
 {

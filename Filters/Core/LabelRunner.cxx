@@ -16,8 +16,8 @@ namespace
 /// Gaps and overlaps of contours are slivers if they are thinner, in spacings of the planes.
 constexpr double ThinGap = 0.01;
 
-/// Labels overlap if that much of the smaller one is common to both; one that is within the other one to
-/// that much is meant to be.
+/// Labels overlap if that much of the smaller one is common to both; one that is within the other
+/// one to that much is meant to be.
 constexpr double LeastOverlap = 0.001;
 constexpr double MostOverlap = 0.98;
 

@@ -17,7 +17,8 @@
 
 namespace orthoslices
 {
-/// How much of the progress reading takes, and, where slices are sparse, reading and first surfaces.
+/// How much of the progress reading takes, and, where slices are sparse, reading and first
+/// surfaces.
 constexpr double ProgressOfReading = 0.2;
 constexpr double ProgressOfDrawing = 0.5;
 

@@ -19,15 +19,16 @@ namespace orthoslices
 {
 namespace
 {
-/// The parts of PatchOptions::Accuracy that arcs with few vertices and better triangles may use up. What
-/// is left is for what they add to each other.
+/// The parts of PatchOptions::Accuracy that arcs with few vertices and better triangles may use up.
+/// What is left is for what they add to each other.
 constexpr double ShareOfArcs = 0.4;
 constexpr double ShareOfTriangles = 0.4;
 
-/// The accuracy by the error of the surface, both in spacings, where the surface itself is to say: it is
-/// a bound, of which the RMS is about a tenth. Twelve shapes and three of voxels at 16 and 32 planes per
-/// axis get a twentieth more RMS distance in the mean, most of them from a seventh of the triangles or less.
-/// Rough shapes get less than in proportion, as their errors are in few places.
+/// The accuracy by the error of the surface, both in spacings, where the surface itself is to say:
+/// it is a bound, of which the RMS is about a tenth. Twelve shapes and three of voxels at 16 and 32
+/// planes per axis get a twentieth more RMS distance in the mean, most of them from a seventh of
+/// the triangles or less. Rough shapes get less than in proportion, as their errors are in few
+/// places.
 constexpr double AccuracyByError = 4.3;
 constexpr double AccuracyByRoot = 0.31;
 constexpr double LeastAccuracy = 0.002; ///< exact data need no end of triangles
@@ -178,7 +179,8 @@ double DisagreementOf(const Reconstruction& result)
   return std::sqrt(sum / std::max<Index>(1, count));
 }
 
-/// As accurate as asked for, in spacings, but not much more than the slices are; 0 for all triangles.
+/// As accurate as asked for, in spacings, but not much more than the slices are; 0 for all
+/// triangles.
 double AccuracyOf(const PatchOptions& patching, const Reconstruction& result)
 {
   if (!NeedsNormals(patching.Method) || !(patching.OwnAccuracy || patching.Accuracy > 0.0))

@@ -10,14 +10,16 @@ namespace orthoslices
 /// The first part of ConnectContours: slices that agree, and the graph G. False: stopped.
 bool DrawGraph(Pass& pass);
 
-/// From contours to the cycles of all cells and how they are joined (the paper's section 4): crossings,
-/// agreement of the slices, graph, patches without their inside, and the report. False: stopped.
+/// From contours to the cycles of all cells and how they are joined (the paper's section 4):
+/// crossings, agreement of the slices, graph, patches without their inside, and the report. False:
+/// stopped.
 bool ConnectContours(Pass& pass);
 
 /// The inside of the patches, and all triangles (section 5). False: stopped.
 bool FillCycles(const PatchOptions& patching, Pass& pass);
 
-/// Whether the real slices are cuts of one solid: contours meet to within a small part of a spacing.
+/// Whether the real slices are cuts of one solid: contours meet to within a small part of a
+/// spacing.
 /// REQUIRES: node points were found.
 bool DoSlicesAgree(const Reconstruction& result);
 }

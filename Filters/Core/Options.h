@@ -35,8 +35,8 @@ enum class InvalidContours
   Mend      ///< see AssembleContours; removed if that cannot be; no surface if nothing is left
 };
 
-/// Where slices are too few, virtual ones are cut from the surface that bends least between them; see
-/// Sparse/VirtualSlices.h.
+/// Where slices are too few, virtual ones are cut from the surface that bends least between them;
+/// see Sparse/VirtualSlices.h.
 enum class VirtualSlices
 {
   Automatic, ///< where they are needed, as SliceDensity says
@@ -74,7 +74,8 @@ struct Options
   double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
   VirtualSlices Virtual = VirtualSlices::Off;
   double VirtualSpacing = 0.0; ///< with BySpacing, in world units; 0: as with Automatic
-  /// Contours on planes of no family, which guide the surface where virtual slices are made; or null.
+  /// Contours on planes of no family, which guide the surface where virtual slices are made; or
+  /// null.
   const std::vector<GuideContours>* Guides = nullptr;
   /// Smaller ones are left out, by the diagonal of their bounding box as a fraction of that of all
   /// contours.

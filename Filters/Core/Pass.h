@@ -38,8 +38,9 @@ public:
   /// invariants checked.
   void Finish(Stage stage) const;
 
-  /// Names the share of this part's work that is done, and asks whether to go on. False: stop. Progress
-  /// never goes back: after an attempt that failed it stays until the next one has come as far.
+  /// Names the share of this part's work that is done, and asks whether to go on. False: stop.
+  /// Progress never goes back: after an attempt that failed it stays until the next one has come as
+  /// far.
   bool GoOn(double progress);
 
   /// Where the part that comes next begins and ends in the progress of the whole, 0 to 1.
@@ -50,8 +51,8 @@ public:
 
   void BuildGrid();
 
-  /// Planes of other structures, for grids that are built from now on; see AddEmptyPlanes. They have to
-  /// outlive this.
+  /// Planes of other structures, for grids that are built from now on; see AddEmptyPlanes. They
+  /// have to outlive this.
   void SetOtherPlanes(const std::array<std::vector<double>, 3>& planes)
   {
     this->OtherPlanes = &planes;

@@ -23,8 +23,8 @@ std::vector<Index> FindLeftOut(
 void RemoveContours(
   const std::vector<Index>& leftOut, const std::vector<IsolatedLoop>& parts, Contours& contours);
 
-/// Gives `result`, whose grid has all planes of the first one's and virtual ones besides, the report
-/// of the first one, and lists the contours that were left out there.
+/// Gives `result`, whose grid has all planes of the first one's and virtual ones besides, the
+/// report of the first one, and lists the contours that were left out there.
 void TakeReport(
   const Reconstruction& first, const std::vector<Index>& leftOut, Reconstruction& result);
 

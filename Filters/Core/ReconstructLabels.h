@@ -36,19 +36,20 @@ struct LabelSurfaces
 };
 
 /**
- * ReconstructSorted for several structures at once, whose slices have common axes (see SplitByLabel).
- * Those of which no two come near to each other have the surfaces of runs of their own. Else
+ * ReconstructSorted for several structures at once, whose slices have common axes (see
+ * SplitByLabel). Those of which no two come near to each other have the surfaces of runs of their
+ * own. Else
  *
  *   ShareBorders        contours get the same vertices where they run along each other
  *   AddEmptyPlanes      all have the same planes, so that cells are common
  *   SharedPatches       borders that are the same around a cell have the same patch
  *   SettleCommonCells   surfaces pass through common cells without crossing each other
  *
- * so that surfaces do not cross where contours do not. Where slices are too few, as SliceDensity says of
- * all together, all are bent and cut on the same virtual planes, and so is their union. Its virtual slices
- * are divided as the real ones are: what is outside of the union belongs to none, and no two have in
- * common what real slices do not show them to have. ShareBorders does that, and once more after the
- * virtual slices agree with the real ones.
+ * so that surfaces do not cross where contours do not. Where slices are too few, as SliceDensity
+ * says of all together, all are bent and cut on the same virtual planes, and so is their union. Its
+ * virtual slices are divided as the real ones are: what is outside of the union belongs to none,
+ * and no two have in common what real slices do not show them to have. ShareBorders does that, and
+ * once more after the virtual slices agree with the real ones.
  */
 LabelSurfaces ReconstructLabels(
   std::vector<SortedSlices>&& labels, const Options& options, const Execution& execution);

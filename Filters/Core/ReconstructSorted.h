@@ -9,23 +9,25 @@
 namespace orthoslices
 {
 /**
- * Reconstruct for slices of any frame. All points, normals and shifts of the result are those of the
- * world; planes, their bounds and the cells of M are numbered and measured along the axes of the
- * frame (Reconstruction::Frame). Problems and contours have the port and the cell that they come from.
+ * Reconstruct for slices of any frame. All points, normals and shifts of the result are those of
+ * the world; planes, their bounds and the cells of M are numbered and measured along the axes of
+ * the frame (Reconstruction::Frame). Problems and contours have the port and the cell that they
+ * come from.
  *
  * In a frame that is no rotation, the stages see boxes where the cells are oblique, but lengths and
  * angles that the surface depends on are those of the world (Options::Metric). Distances along an
  * axis, such as the disagreement of slices, are measured at right angles to the planes of that axis
  * in any frame; other lengths of the report are those along the axes.
  *
- * Contours on planes of no family guide the surface where it bends from slice to slice (Options::Guides).
+ * Contours on planes of no family guide the surface where it bends from slice to slice
+ * (Options::Guides).
  */
 Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
   const Execution& execution, const StageObserver& observer = {});
 
-/// A power of 2 to whose multiples coordinates are rounded before they are mapped: 256 steps of double
-/// at the largest of them, far above the rounding of the map; of results in float, 16 steps of float. 0
-/// in the frame of the world, where nothing is mapped.
+/// A power of 2 to whose multiples coordinates are rounded before they are mapped: 256 steps of
+/// double at the largest of them, far above the rounding of the map; of results in float, 16 steps
+/// of float. 0 in the frame of the world, where nothing is mapped.
 double ChooseQuantum(const SortedSlices& sorted, bool singlePrecision);
 
 /// What lengths and angles are along the axes of a frame: see SpatialGrid::Metric.

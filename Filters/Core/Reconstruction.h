@@ -67,8 +67,8 @@ struct Reconstruction
   SurfaceTopology Topology;
   std::vector<Index> PolygonSizes; ///< see CountPolygonSizes; of the real slices alone
   UndecidedPlaces Undecided;       ///< those of the real slices alone
-  /// Whether the surface was bent through contours of each of Options::Guides; empty if it is not bent.
-  /// Of ReconstructSorted: of each polyline on a plane of no family.
+  /// Whether the surface was bent through contours of each of Options::Guides; empty if it is not
+  /// bent. Of ReconstructSorted: of each polyline on a plane of no family.
   std::vector<std::uint8_t> Guiding;
   UndecidedPlaces Doubtful;  ///< of these, the ones to tell the user of; see FindDoubtfulJoins
   Index SmallComponents = 0; ///< left out
@@ -84,7 +84,8 @@ struct Reconstruction
   /// The polylines whose numbers ArcSources and Isolated.Source are; empty until ReconstructSorted
   /// names them.
   PolylineSources Sources;
-  /// NodePoints::Difference before there were virtual slices, whose planes divide edges; else empty.
+  /// NodePoints::Difference before there were virtual slices, whose planes divide edges; else
+  /// empty.
   std::vector<double> RealDifferences;
 };
 

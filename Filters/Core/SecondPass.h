@@ -13,8 +13,8 @@
  */
 namespace orthoslices
 {
-/// A surface that shows the topology and is going to be bent: with no more triangles than that needs.
-/// `edgeLength` is in world units. False: stopped.
+/// A surface that shows the topology and is going to be bent: with no more triangles than that
+/// needs. `edgeLength` is in world units. False: stopped.
 bool Sketch(double edgeLength, Pass& pass);
 
 /// What a second surface has to come out as. Components that were too small are drawn nevertheless,

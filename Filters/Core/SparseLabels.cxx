@@ -11,12 +11,12 @@ namespace orthoslices
 {
 namespace
 {
-/// How many times slices and labels are made to agree: what one of them changes, the other one has to
-/// follow.
+/// How many times slices and labels are made to agree: what one of them changes, the other one has
+/// to follow.
 constexpr int RoundsOfAgreement = 2;
 
-/// How far a virtual plane is moved at most to get off the vertices of contours, in its distance to the
-/// next one.
+/// How far a virtual plane is moved at most to get off the vertices of contours, in its distance to
+/// the next one.
 constexpr double LargestShift = 0.02;
 
 /// The coordinates along an axis of all vertices of contours, each once.
@@ -34,8 +34,9 @@ void AddCoordinates(const Contours& contours, int axis, std::set<double>& coordi
 }
 
 /**
- * Moves virtual planes off the vertices of real contours. Where sides of contours lie on a plane, as those of
- * stairs do, each label would leave it by the side that suits it, and borders would be common no more.
+ * Moves virtual planes off the vertices of real contours. Where sides of contours lie on a plane,
+ * as those of stairs do, each label would leave it by the side that suits it, and borders would be
+ * common no more.
  */
 void LabelRunner::MoveOffVertices(const SpatialGrid& grid, VirtualPlanes& planes) const
 {
@@ -88,8 +89,8 @@ VirtualPlanes LabelRunner::PlanesFor(const SpatialGrid& grid, const VirtualPlane
   return planes;
 }
 
-/// Virtual slices of all labels divide what all cover together as the real ones do. The union of all
-/// is the first one, if it is there.
+/// Virtual slices of all labels divide what all cover together as the real ones do. The union of
+/// all is the first one, if it is there.
 void LabelRunner::ShareVirtual(const std::vector<LabelPass*>& passes, bool withUnion)
 {
   std::vector<Contours*> contours;
@@ -113,8 +114,9 @@ void LabelRunner::ShareVirtual(const std::vector<LabelPass*>& passes, bool withU
     }
     allowed.insert(members);
   }
-  // Once slices agree, nothing is moved any more where borders are close: that would move vertices off the
-  // places where real slices have them, and slices would be made to agree by other ways for each label.
+  // Once slices agree, nothing is moved any more where borders are close: that would move vertices
+  // off the places where real slices have them, and slices would be made to agree by other ways for
+  // each label.
   const double thickness = withUnion ? this->Thickness() : 0.0;
   const SharedBorders shared = ShareBorders(thickness, allowed, this->Execute, contours);
   const std::set<Point3> junctions = RoundAll(shared.Junctions, this->Settings.Quantum);

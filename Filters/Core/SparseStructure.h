@@ -9,9 +9,9 @@
 namespace orthoslices
 {
 /**
- * MakeSparseSurface in two steps, for one of several structures, whose virtual slices are made to agree with
- * those of the others in between. All structures are cut on the same planes, and all keep the second
- * surface, whatever its topology is.
+ * MakeSparseSurface in two steps, for one of several structures, whose virtual slices are made to
+ * agree with those of the others in between. All structures are cut on the same planes, and all
+ * keep the second surface, whatever its topology is.
  */
 class SparseStructure
 {

@@ -96,8 +96,9 @@ bool SparseRunner::BendStack()
   return this->Bend(stack.Result, std::move(guides));
 }
 
-/// The surface of all slices bends, through the contours on planes of no family if it comes out with its
-/// topology so. Such planes are nearly parallel to a single family, and say nothing beside it.
+/// The surface of all slices bends, through the contours on planes of no family if it comes out
+/// with its topology so. Such planes are nearly parallel to a single family, and say nothing beside
+/// it.
 bool SparseRunner::BendAll()
 {
   const std::vector<GuideContours>* others = this->First.Settings.Guides;
@@ -143,8 +144,8 @@ std::vector<std::uint8_t> ListGuiding(const Options& settings)
   return guiding;
 }
 
-/// Where a stack ends flat with all that lies on its first or on its last slice: bounds close to it, so that
-/// smooth patches between virtual slices do not bulge there.
+/// Where a stack ends flat with all that lies on its first or on its last slice: bounds close to
+/// it, so that smooth patches between virtual slices do not bulge there.
 Box3 FlatEndsOf(const Reconstruction& base)
 {
   Box3 bounds = Everywhere();
@@ -181,8 +182,8 @@ Box3 FlatEndsOf(const Reconstruction& base)
   return bounds;
 }
 
-/// Makes the surface of real and virtual slices, of all or of those that agree with the real ones, and
-/// takes it if its topology is right.
+/// Makes the surface of real and virtual slices, of all or of those that agree with the real ones,
+/// and takes it if its topology is right.
 bool SparseRunner::RunAgain(SecondSurface&& second)
 {
   Reconstruction& first = this->First.Result;
@@ -219,8 +220,8 @@ bool SparseRunner::RunAgain(SecondSurface&& second)
 }
 
 /// Makes the surface anew, with virtual slices of `base` that bends through the guides: with all of
-/// them, or those that agree with the real slices. False if there are none, or if the topology comes
-/// out another than that of `base`.
+/// them, or those that agree with the real slices. False if there are none, or if the topology
+/// comes out another than that of `base`.
 bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
 {
   Execution execution = this->First.Execute;
@@ -229,8 +230,9 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
     MakeVirtualSlices({ GeometryOf(base), base.Surface, this->First.Result.Grid, guides },
       this->Sparse.Bending, execution);
   const SurfaceTopology wanted = base.Topology;
-  // Without planes on which arcs were drawn anew, and then without those on which any were mended. But
-  // that a stack hangs together otherwise than all slices together do shall not be made to work.
+  // Without planes on which arcs were drawn anew, and then without those on which any were mended.
+  // But that a stack hangs together otherwise than all slices together do shall not be made to
+  // work.
   const int attempts = guides.Slices.empty() ? 3 : 1;
   return this->RunAgain(
     { added, TopologyOf(base), [&](const SurfaceTopology& found) { return found == wanted; },
@@ -258,11 +260,11 @@ Index MostSlices(const SpatialGrid& grid)
   return std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
 }
 
-/// Makes the surface anew, with virtual slices of a field through all contours. That decides what the
-/// contours leave open, but not against them: what the first surface joins stays joined, and tunnels
-/// come in only where slices agree, if the field foretells them as well, and if one of those that were
-/// left out lay between others. False if what there is without a field foretells slices better, or
-/// leaves components out.
+/// Makes the surface anew, with virtual slices of a field through all contours. That decides what
+/// the contours leave open, but not against them: what the first surface joins stays joined, and
+/// tunnels come in only where slices agree, if the field foretells them as well, and if one of
+/// those that were left out lay between others. False if what there is without a field foretells
+/// slices better, or leaves components out.
 bool SparseRunner::FollowField()
 {
   constexpr double asGood = 0.95;

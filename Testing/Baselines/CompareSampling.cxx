@@ -5,10 +5,10 @@
  * @brief   how many slices the right topology takes: the proposed ones against finer spacing
  *
  * The table of undecided places says where to slice next. This program does so: it cuts a known
- * surface by few planes, adds the slices that the filter proposes, one after another, and counts the
- * planes that it takes until the number of components and the genus are right for the first time.
- * Beside it the same for equally spaced planes: half the spacing each time, and one more on each
- * axis at a time.
+ * surface by few planes, adds the slices that the filter proposes, one after another, and counts
+ * the planes that it takes until the number of components and the genus are right for the first
+ * time. Beside it the same for equally spaced planes: half the spacing each time, and one more on
+ * each axis at a time.
  */
 
 #include "CaseFolder.h"
@@ -151,7 +151,8 @@ private:
   vtkNew<vtkOrthogonalSliceReconstruction> Filter;
 };
 
-/// Number of planes with which the topology became right, 0 if it did not, and the last number tried.
+/// Number of planes with which the topology became right, 0 if it did not, and the last number
+/// tried.
 struct Outcome
 {
   int Planes = 0;

@@ -27,9 +27,9 @@ std::vector<std::string> SplitAtCommas(const std::string& text);
 std::int64_t ParsePositive(const std::string& text);
 
 /**
- * Arguments are switches, for which findSwitch(option, options) returns the flag to set, and options
- * followed by a value, which parseValue(option, value, options) takes. THROWS std::runtime_error if
- * a value is missing, and what parseValue throws.
+ * Arguments are switches, for which findSwitch(option, options) returns the flag to set, and
+ * options followed by a value, which parseValue(option, value, options) takes. THROWS
+ * std::runtime_error if a value is missing, and what parseValue throws.
  */
 template <typename Options, typename FindSwitch, typename ParseValue>
 Options ParseArguments(

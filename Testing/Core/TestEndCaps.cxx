@@ -4,9 +4,9 @@
  * @file
  * @brief   how one stack ends: in domes, flat at its last slices, or half a slice farther
  *
- * Phantoms of known volume, with slices 3 mm apart, by the rule that suits the places of the slices.
- * ORTHOGONAL_SLICES_RUNS and ORTHOGONAL_SLICES_SEED set the number of random stacks and the first of
- * them.
+ * Phantoms of known volume, with slices 3 mm apart, by the rule that suits the places of the
+ * slices. ORTHOGONAL_SLICES_RUNS and ORTHOGONAL_SLICES_SEED set the number of random stacks and the
+ * first of them.
  */
 
 #include "Core/Reconstruct.h"
@@ -117,8 +117,8 @@ TEST(EndCaps, CylindersAreAreaTimesLength)
     {
       SCOPED_TRACE(count);
       const PieceSets sets = StackOf(count, 1.5, Twenty);
-      // In plates of one spacing. Beside edges the surface bends as it likes, and a tube is a little
-      // too narrow there, however long it is.
+      // In plates of one spacing. Beside edges the surface bends as it likes, and a tube is a
+      // little too narrow there, however long it is.
       const double plate = AreaOf(20.0) * Spacing;
       const double half = VolumeOf(sets, EndCaps::HalfSlice, mode) / plate;
       EXPECT_NEAR(half, count, 5e-3);
@@ -136,7 +136,8 @@ TEST(EndCaps, PhantomsHaveTheirVolumeByTheRuleThatSuits)
   expect(StackOf(21, 0.0, Twenty), EndCaps::Dome, Pi * 400.0 * 60.0);
   expect(StackOf(21, 0.0, Twenty), EndCaps::Flat, Pi * 400.0 * 60.0);
   expect(StackOf(20, 1.5, Twenty), EndCaps::HalfSlice, Pi * 400.0 * 60.0);
-  // A cone that begins in its first slice and has its tip beyond the last one; at centres of voxels.
+  // A cone that begins in its first slice and has its tip beyond the last one; at centres of
+  // voxels.
   const auto cone = [](double z) { return 20.0 - z / 3.0; };
   expect(StackOf(20, 0.0, cone), EndCaps::Dome, Pi * 400.0 * 20.0);
   expect(StackOf(20, 0.0, cone), EndCaps::Flat, Pi * 400.0 * 20.0);
@@ -220,7 +221,8 @@ TEST(EndCaps, HalfSlicesAreThoseOfTheSlicesThere)
 }
 
 //----------------------------------------------------------------------------
-/// A branch that ends between two slices ends flat there, and what is on one slice alone is not lost.
+/// A branch that ends between two slices ends flat there, and what is on one slice alone is not
+/// lost.
 TEST(EndCaps, FlatEndsBetweenSlices)
 {
   PieceSets sets = StackOf(9, 0.0, Twenty);
@@ -257,8 +259,8 @@ TEST(EndCaps, HalfSlicesEndBetweenSlices)
 }
 
 //----------------------------------------------------------------------------
-/// A body of four slices with two prongs that end at different heights, the longer one at the end of the
-/// stack.
+/// A body of four slices with two prongs that end at different heights, the longer one at the end
+/// of the stack.
 TEST(EndCaps, ProngsEndHalfASliceFarther)
 {
   PieceSets sets = EmptySets();

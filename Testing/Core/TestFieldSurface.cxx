@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   a few slices of several families: whether a field shows the shape between them, or patches
+ * @brief   a few slices of several families: whether a field shows the shape between them, or
+ * patches
  */
 
 #include "Support/CheckEmbedding.h"

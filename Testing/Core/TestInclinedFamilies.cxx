@@ -4,7 +4,8 @@
  * @file
  * @brief   a ball and an ellipsoid cut by families at 60 to 75 degrees, against orthogonal ones
  *
- * Lengths, angles and normals are those of the world, not of the map that makes boxes of oblique cells.
+ * Lengths, angles and normals are those of the world, not of the map that makes boxes of oblique
+ * cells.
  */
 
 #include "Core/ReconstructSorted.h"

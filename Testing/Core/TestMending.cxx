@@ -67,8 +67,8 @@ const std::array<int, 3> AllCounts[] = { { 7, 6, 6 }, { 0, 0, 8 }, { 8, 0, 0 }, 
 //----------------------------------------------------------------------------
 namespace
 {
-/// Slices of the ellipsoid, damaged in four ways: the volume of the surface is that of whole ones, but for
-/// a share.
+/// Slices of the ellipsoid, damaged in four ways: the volume of the surface is that of whole ones,
+/// but for a share.
 template <typename Damage>
 std::vector<PieceSets> TryDamage(const std::array<int, 3>& counts, double share, Damage&& damage)
 {

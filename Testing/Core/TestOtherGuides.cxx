@@ -155,7 +155,8 @@ Polylines WithThirdPlane() { return Slices(8, { 0.0, Pi / 3.0, 2.0 * Pi / 3.0 })
 }
 
 //----------------------------------------------------------------------------
-/// A surface that bends goes into the dent with it; a field is nearer to the dent than that without it.
+/// A surface that bends goes into the dent with it; a field is nearer to the dent than that without
+/// it.
 TEST(OtherGuides, AThirdPlaneThroughAStackGuides)
 {
   const std::vector<Point3> dent = PointsOfDent(), other = CutThroughAxis(DentAngle);
@@ -235,8 +236,8 @@ TEST(OtherGuides, TheResultDependsOnNoThreads)
 }
 
 //----------------------------------------------------------------------------
-/// Contours of the plane that are open or cross are mended as those of slices are; what cannot be does
-/// no harm.
+/// Contours of the plane that are open or cross are mended as those of slices are; what cannot be
+/// does no harm.
 TEST(OtherGuides, BadContoursAreMendedOrLeftOut)
 {
   Polylines lines = WithThirdPlane();
@@ -255,8 +256,8 @@ TEST(OtherGuides, BadContoursAreMendedOrLeftOut)
 }
 
 //----------------------------------------------------------------------------
-/// Whatever the guides show, of the same solid or of another one, in the same place or not: closed and
-/// embedded.
+/// Whatever the guides show, of the same solid or of another one, in the same place or not: closed
+/// and embedded.
 TEST(OtherGuides, AnyGuidesLeaveTheSurfaceEmbedded)
 {
   const std::array<std::array<int, 3>, 3> counts{ { { 1, 1, 9 }, { 3, 3, 0 }, { 12, 0, 1 } } };

@@ -204,7 +204,8 @@ TEST(Reconstruct, ClockwiseContoursWithSeveralPatchesInACellBug2)
 //----------------------------------------------------------------------------
 TEST(Reconstruction, CountsNodePointsAtWhichSlicesDisagree)
 {
-  // The y-slice of the octahedron is smaller: its four node points lie 0.25 from the others' contours.
+  // The y-slice of the octahedron is smaller: its four node points lie 0.25 from the others'
+  // contours.
   const Reconstruction result = Reconstruct(
     ParsePieces("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -0.75,-0.75 0.75,-0.75 0.75,0.75 -0.75,0.75;"
                 "z=0: -1,-1 1,-1 1,1 -1,1"),

@@ -60,7 +60,8 @@ Matrix3 OrderOf(const AxisFrame& frame, const Matrix3& rotation)
   return order;
 }
 
-/// Expects the surface of turned slices to be that of slices along the axes, turned; closed and embedded.
+/// Expects the surface of turned slices to be that of slices along the axes, turned; closed and
+/// embedded.
 void ExpectTurned(const PieceSets& sets, const Matrix3& rotation, double tolerance)
 {
   const Reconstruction turned = RunCore(MapSlices(sets, rotation));

@@ -74,8 +74,8 @@ int AxisOf(const FuzzPiece& piece, int coordinate)
   return coordinate == 0 ? FirstAxis(piece.Axis) : SecondAxis(piece.Axis);
 }
 
-/// Sides no longer than 1, as far as integers allow: a contour whose gap is no more than twice as long
-/// as its sides only lacks the last one.
+/// Sides no longer than 1, as far as integers allow: a contour whose gap is no more than twice as
+/// long as its sides only lacks the last one.
 void DivideSides(std::vector<FuzzVertex>& vertices)
 {
   for (std::size_t i = 0; i + 1 < vertices.size();)
@@ -106,8 +106,8 @@ FuzzVertex OnBorder(const FuzzVertex& a, const FuzzVertex& b, int coordinate, in
   return vertex;
 }
 
-/// What a closed contour has on one side of a line, as an open piece with its ends on that line. Those
-/// that cross the line more than twice stay as they are.
+/// What a closed contour has on one side of a line, as an open piece with its ends on that line.
+/// Those that cross the line more than twice stay as they are.
 void CutPiece(FuzzPiece& piece, int coordinate, int border, bool keepLower)
 {
   const auto& vertices = piece.Vertices;

@@ -16,7 +16,8 @@ namespace orthoslices
 namespace support
 {
 
-/// One change: of a number, of a piece, of the flags, of the frame, of labels, or a box with its slices.
+/// One change: of a number, of a piece, of the flags, of the frame, of labels, or a box with its
+/// slices.
 void ChangeFuzzInput(FuzzInput& input, Random& random);
 
 } // namespace support

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A target of libFuzzer: reconstructs small sets of contours as the filter does, from polylines in any
- * frame and with any labels to one surface for each label, and checks each surface exactly.
+ * A target of libFuzzer: reconstructs small sets of contours as the filter does, from polylines in
+ * any frame and with any labels to one surface for each label, and checks each surface exactly.
  *
- * FuzzInput.h says what the inputs are. A failure is printed as such text, and as slices along the axes
- * of the frame, to become a regression test.
+ * FuzzInput.h says what the inputs are. A failure is printed as such text, and as slices along the
+ * axes of the frame, to become a regression test.
  */
 
 #include "FuzzChanges.h"
@@ -213,8 +213,8 @@ std::string FindWrongSides(const Contours& contours, const SpatialGrid& grid,
   return std::string();
 }
 
-/// What leaves its bounds (G7) along the axes of the frame. Where these are not those of the world, the
-/// mesh was mapped there and back, by no more than rounding.
+/// What leaves its bounds (G7) along the axes of the frame. Where these are not those of the world,
+/// the mesh was mapped there and back, by no more than rounding.
 std::string FindExcess(const Contours& contours, const AxisFrame& frame, const Options& options,
   const TriangleMesh& mesh)
 {
@@ -254,8 +254,9 @@ bool IsSame(const TriangleMesh& mesh, const Reconstruction& other)
   return second.Points == mesh.Points && second.Triangles == mesh.Triangles;
 }
 
-/// Edges, vertices and triangles that meet (G1 to G3, G6). In axes that are not those of the world the surface
-/// is embedded along them, exactly; in the world it is so but for rounding, which turns slivers over.
+/// Edges, vertices and triangles that meet (G1 to G3, G6). In axes that are not those of the world
+/// the surface is embedded along them, exactly; in the world it is so but for rounding, which turns
+/// slivers over.
 std::string FindFlawsOf(
   const SortedSlices& sorted, const Options& settings, const TriangleMesh& mesh)
 {
@@ -303,8 +304,8 @@ std::string FindFaults(
     FindWrongSides(contours, grid, settings.Orient, along);
 }
 
-/// Prints an input with its faults, also as few slices along the axes of the frame, if these alone have
-/// a fault, too.
+/// Prints an input with its faults, also as few slices along the axes of the frame, if these alone
+/// have a fault, too.
 [[noreturn]] void Fail(const FuzzInput& input, const SortedSlices& sorted, const Options& settings,
   const std::string& faults)
 {

@@ -6,8 +6,8 @@
  * Reconstructs unions of random balls, capsules and tori, from contours that agree, from contours
  * made contradictory and from contours on few planes of one, two or three axes, with and without
  * virtual slices between these, in both precisions, and checks every surface exactly: closed,
- * 2-manifold, oriented, embedded. Input number n is the same in every run. Stops after SECONDS if they are given.
- * A failure is reduced and printed as text; the exit code is 1 then.
+ * 2-manifold, oriented, embedded. Input number n is the same in every run. Stops after SECONDS if
+ * they are given. A failure is reduced and printed as text; the exit code is 1 then.
  */
 
 #include "Support/CheckEmbedding.h"

@@ -27,8 +27,8 @@ namespace support
 Point3 AllowedExcess(const Contours& contours, bool singlePrecision);
 
 /**
- * By how much the points of a mesh leave the box around all contours beyond AllowedExcess, at worst,
- * along each axis; negative where they do not.
+ * By how much the points of a mesh leave the box around all contours beyond AllowedExcess, at
+ * worst, along each axis; negative where they do not.
  */
 Point3 FindExcess(const TriangleMesh& mesh, const Contours& contours, bool singlePrecision);
 

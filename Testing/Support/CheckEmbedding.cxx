@@ -396,7 +396,8 @@ bool MeetingFinder::Meet(std::int64_t first, std::int64_t second) const
   return EdgeMeets(s, sidesOfS, 1, t) || EdgeMeets(t, sidesOfT, 1, s);
 }
 
-/// A side of `a` without a corner of `b` passes from one side of `b` to the other through its inside.
+/// A side of `a` without a corner of `b` passes from one side of `b` to the other through its
+/// inside.
 bool MeetingFinder::SidePierces(std::int64_t a, std::int64_t b) const
 {
   const auto &ids = this->Mesh.Triangles[a], &others = this->Mesh.Triangles[b];

@@ -29,15 +29,15 @@ struct Meeting
 
 /**
  * Pairs of triangles with a point in common that is on neither a common edge nor a common vertex,
- * at most `maximum` of them. Vertices are common if their ids are the same; two ids at one place are two
- * vertices, and meet.
+ * at most `maximum` of them. Vertices are common if their ids are the same; two ids at one place
+ * are two vertices, and meet.
  */
 std::vector<Meeting> FindMeetings(const TriangleMesh& mesh, std::size_t maximum = 10);
 
 /**
- * Pairs of triangles of which one has a side that passes through the inside of the other. Pairs that
- * only touch or overlap in a plane are not counted: the figure is fair to any surface, also to one
- * whose triangles do not share their points.
+ * Pairs of triangles of which one has a side that passes through the inside of the other. Pairs
+ * that only touch or overlap in a plane are not counted: the figure is fair to any surface, also to
+ * one whose triangles do not share their points.
  */
 std::int64_t CountCrossings(const TriangleMesh& mesh);
 
@@ -56,8 +56,9 @@ int ExactTurn(const Point3& a, const Point3& b, const Point3& c, int axis);
 /// Whether the closed segments ab and cd have a point in common, seen along the axis, exactly.
 bool SegmentsMeet(const Point3& a, const Point3& b, const Point3& c, const Point3& d, int axis);
 
-/// Whether a side of a triangle passes from one side of another one to the other, through its inside,
-/// exactly. Corners that both have in common are marked; sides that begin or end there do not.
+/// Whether a side of a triangle passes from one side of another one to the other, through its
+/// inside, exactly. Corners that both have in common are marked; sides that begin or end there do
+/// not.
 bool Pierces(const std::array<Point3, 3>& s, const std::array<Point3, 3>& t,
   const std::array<bool, 3>& isCommon);
 

@@ -18,9 +18,9 @@ namespace support
 {
 
 /**
- * Pairs of triangles of different labels of which one has a side that passes through the inside of the
- * other, decided exactly. Corners are common if they are at the same place. `labels` has one for each
- * triangle.
+ * Pairs of triangles of different labels of which one has a side that passes through the inside of
+ * the other, decided exactly. Corners are common if they are at the same place. `labels` has one
+ * for each triangle.
  */
 std::int64_t CountLabelCrossings(const TriangleMesh& mesh, const std::vector<int>& labels);
 
@@ -33,8 +33,8 @@ struct LabelVolumes
 };
 
 /**
- * Measured along `lines` by `lines` lines along x through the box of the mesh. For structures that together
- * are convex, a gap is what none of them fills. Labels are 0 and up.
+ * Measured along `lines` by `lines` lines along x through the box of the mesh. For structures that
+ * together are convex, a gap is what none of them fills. Labels are 0 and up.
  */
 LabelVolumes MeasureLabels(
   const TriangleMesh& mesh, const std::vector<int>& labels, int lines = 200);

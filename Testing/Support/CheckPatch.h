@@ -19,9 +19,9 @@ namespace support
 {
 
 /**
- * What is wrong with a patch; empty if it is a connected surface of genus 0 whose open sides are the
- * borders of its cycles, each passed once and in the direction of the cycle, with all of its own
- * points in use and strictly inside the cell.
+ * What is wrong with a patch; empty if it is a connected surface of genus 0 whose open sides are
+ * the borders of its cycles, each passed once and in the direction of the cycle, with all of its
+ * own points in use and strictly inside the cell.
  */
 std::string DescribePatchFlaws(const CycleGeometry& geometry, const PatchMesh& patch);
 

@@ -55,8 +55,9 @@ SurfaceMesh RingSurface(
 /// Nothing fixed, no curves, one cell of this size around the origin.
 SurfaceMesh FreeSurface(const PlainMesh& mesh, double room);
 
-/// Meshes a surface anew, with edges of this length, and fairs it, in the order of MakeVirtualSlices. If
-/// it is not to be pulled to the middles of its slabs, its axis is forgotten before the last step.
+/// Meshes a surface anew, with edges of this length, and fairs it, in the order of
+/// MakeVirtualSlices. If it is not to be pulled to the middles of its slabs, its axis is forgotten
+/// before the last step.
 void MakeFair(double length, SurfaceMesh& mesh, bool isPulled = true);
 
 } // namespace support

@@ -25,8 +25,8 @@ double LengthOf(const std::vector<Point3>& loop)
   return length;
 }
 
-/// Calls change(piece, random numbers, list of pieces to append to) for about this share of the pieces,
-/// which are replaced by what is appended.
+/// Calls change(piece, random numbers, list of pieces to append to) for about this share of the
+/// pieces, which are replaced by what is appended.
 template <typename Change>
 void ForSome(PieceSets& sets, double share, std::uint64_t seed, const Change& change)
 {
@@ -65,7 +65,8 @@ void Shorten(std::vector<Point3>& curve, double length, std::size_t leave)
   }
 }
 
-/// The parts of a closed or open curve on one side of a border, with points on it where they are cut.
+/// The parts of a closed or open curve on one side of a border, with points on it where they are
+/// cut.
 std::vector<Piece> PartsBelow(const Piece& piece, int direction, double border, double sign)
 {
   const std::size_t size = piece.Vertices.size();

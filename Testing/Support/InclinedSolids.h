@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief   families of solids on which methods for parallel slices fail: Figures 1 and 2 of the paper
+ * @brief   families of solids on which methods for parallel slices fail: Figures 1 and 2 of the
+ * paper
  *
  * The drawings of Figure 1 are not available to us; the letters stand for
  *

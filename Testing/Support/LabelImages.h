@@ -45,8 +45,8 @@ struct LabelImage
 /// background.
 LabelImage MakeLabelImage(LabelKind kind, int labels, std::uint64_t seed, int size = 48);
 
-/// A ball, divided by which of some places is nearest, in units of its radius from its middle: labels 1 and
-/// up are around the places.
+/// A ball, divided by which of some places is nearest, in units of its radius from its middle:
+/// labels 1 and up are around the places.
 LabelImage DivideBall(const std::vector<Point3>& places, int size = 48);
 
 /// Every sample becomes a block of so many on each axis, whose contours are stairs.

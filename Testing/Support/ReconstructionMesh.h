@@ -16,7 +16,8 @@ namespace orthoslices
 namespace support
 {
 
-/// Points and triangles with the ids that the filter gives them. A corner that was never written is -1.
+/// Points and triangles with the ids that the filter gives them. A corner that was never written is
+/// -1.
 TriangleMesh MeshOf(const Reconstruction& result);
 
 } // namespace support

@@ -36,8 +36,9 @@ Matrix3 AxisOrder(int number);
 Point3 Apply(const Matrix3& matrix, const Point3& point);
 Matrix3 Transpose(const Matrix3& matrix);
 
-/// The pieces of all axes in the world, mapped; those of axis a come through port ports[a], their cells
-/// numbered anew in each port. Coordinates are rounded to multiples of `step`, if it is not 0.
+/// The pieces of all axes in the world, mapped; those of axis a come through port ports[a], their
+/// cells numbered anew in each port. Coordinates are rounded to multiples of `step`, if it is not
+/// 0.
 Polylines MapSlices(const PieceSets& sets, const Matrix3& matrix,
   const std::array<int, 3>& ports = { 0, 1, 2 }, double step = 0.0);
 

@@ -8,11 +8,11 @@
 namespace orthoslices
 {
 /**
- * The axes along which the families of slices are numbered. Coordinate a of a point along these axes
- * is its distance from the origin of the world along the unit normal of family a: positions of
+ * The axes along which the families of slices are numbered. Coordinate a of a point along these
+ * axes is its distance from the origin of the world along the unit normal of family a: positions of
  * planes are true distances, whatever the angles between the families. Normals of three orthogonal
- * families make it a rotation; else it is an affine map that makes boxes of the oblique cells between
- * the planes. Either keeps the sense of rotation: what is outside remains outside.
+ * families make it a rotation; else it is an affine map that makes boxes of the oblique cells
+ * between the planes. Either keeps the sense of rotation: what is outside remains outside.
  */
 class AxisFrame
 {
@@ -26,8 +26,8 @@ public:
   /// The unit normal of the slices across an axis.
   const Point3& Normal(int axis) const { return this->Normals[axis]; }
 
-  /// What a step of 1 along an axis is in the world: along the intersection of the planes of the other
-  /// two families, as long as takes one from a plane of the axis to that at a distance of 1.
+  /// What a step of 1 along an axis is in the world: along the intersection of the planes of the
+  /// other two families, as long as takes one from a plane of the axis to that at a distance of 1.
   const Point3& Edge(int axis) const { return this->Edges[axis]; }
 
   /// The volume in the world of a unit cube along the axes.

@@ -10,8 +10,8 @@
 
 namespace orthoslices
 {
-/// Where polylines come from: input port, block of a composite input (its flat index; 0 if the input
-/// is none) and cell of that block.
+/// Where polylines come from: input port, block of a composite input (its flat index; 0 if the
+/// input is none) and cell of that block.
 struct PolylineSources
 {
   std::vector<std::int8_t> Port;
@@ -21,9 +21,9 @@ struct PolylineSources
 
 /**
  * Polylines of all inputs as the user has them, in world coordinates, before anything is known of
- * the planes that they lie on. Polyline i has the vertices Offsets[i] to Offsets[i + 1] - 1. Closed[i]
- * says that it is a polygon, or that its first point was repeated at the end (the repetition is not
- * stored).
+ * the planes that they lie on. Polyline i has the vertices Offsets[i] to Offsets[i + 1] - 1.
+ * Closed[i] says that it is a polygon, or that its first point was repeated at the end (the
+ * repetition is not stored).
  */
 struct Polylines
 {

@@ -20,8 +20,8 @@ namespace orthoslices
 /// The sign of SideOf in exact arithmetic, for the rare case that rounding could change it.
 int ExactSideOf(const Point2& p, const Point2& q, const Point2& r);
 
-/// Greatest error of the determinant in SideOf, as a share of the sum of its terms' sizes: Shewchuk's
-/// ccwerrboundA = (3 + 16 e) e with e = 2^-53.
+/// Greatest error of the determinant in SideOf, as a share of the sum of its terms' sizes:
+/// Shewchuk's ccwerrboundA = (3 + 16 e) e with e = 2^-53.
 constexpr double SideOfErrorBound = 3.3306690738754716e-16;
 
 /// Side of r against the line from p to q: 1 left, -1 right, 0 on the line. Exact.
@@ -37,8 +37,8 @@ inline int SideOf(const Point2& p, const Point2& q, const Point2& r)
 /// Whether q and r lie on one ray from p, and neither in p. Exact.
 bool AreOnOneRay(const Point2& p, const Point2& q, const Point2& r);
 
-/// Whether r lies on the left of the path from a over b to c, near b. Exact. REQUIRES: neither a and c
-/// nor r and one of them lie on one ray from b.
+/// Whether r lies on the left of the path from a over b to c, near b. Exact. REQUIRES: neither a
+/// and c nor r and one of them lie on one ray from b.
 inline bool IsLeftOfPath(const Point2& a, const Point2& b, const Point2& c, const Point2& r)
 {
   const bool first = SideOf(a, b, r) > 0;

@@ -15,9 +15,9 @@ double DistanceToSegment(const Point2& p, const Point2& a, const Point2& b);
 double SquaredDistanceToSegment(const Point3& p, const Point3& a, const Point3& b);
 
 /**
- * Squared distance of p from the triangle abc, by the part of space that p lies in: beyond a corner,
- * beyond a side, above or below the face (C. Ericson, "Real-Time Collision Detection", 2005,
- * section 5.1.5). The corners may lie on one line, or at one place.
+ * Squared distance of p from the triangle abc, by the part of space that p lies in: beyond a
+ * corner, beyond a side, above or below the face (C. Ericson, "Real-Time Collision Detection",
+ * 2005, section 5.1.5). The corners may lie on one line, or at one place.
  */
 double SquaredDistanceToTriangle(
   const Point3& p, const Point3& a, const Point3& b, const Point3& c);

@@ -52,8 +52,8 @@ public:
   /// between them, from `firstJoin` to `lastJoin` - 1.
   CellPatches(const Index* first, const Index* last, std::size_t firstJoin, std::size_t lastJoin);
 
-  /// Builds the patches for the joins that are chosen, unless it has done so for the same ones. What
-  /// cannot be made is not chosen any more, and marked as impossible.
+  /// Builds the patches for the joins that are chosen, unless it has done so for the same ones.
+  /// What cannot be made is not chosen any more, and marked as impossible.
   void Run(const PatchSource& source, std::vector<CycleJoin>& joins);
   /// Whether the last run undid a join.
   bool IsUndone() const { return this->Undone; }

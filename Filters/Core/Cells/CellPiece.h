@@ -60,10 +60,10 @@ private:
 /**
  * A patch of a cell on its way: its cycles, what joins them, and the form that it has now.
  *
- * The forms are tried in this order. Cycles of which StitchSlabs made the patch get that one. A disc
- * is a fan, then a shell. A joined patch has its ring at each of the RingShares, then is grafted,
- * and is a shell at last; if StitchSlabs made a patch of some of its cycles, grafts come first, as
- * they keep it. There is nothing to graft on a tube between two cycles.
+ * The forms are tried in this order. Cycles of which StitchSlabs made the patch get that one. A
+ * disc is a fan, then a shell. A joined patch has its ring at each of the RingShares, then is
+ * grafted, and is a shell at last; if StitchSlabs made a patch of some of its cycles, grafts come
+ * first, as they keep it. There is nothing to graft on a tube between two cycles.
  */
 struct CellPiece
 {

@@ -62,7 +62,8 @@ public:
   /// The region of each cycle: what lies on the other side of it than corner 0 of the cell.
   std::vector<CellRegion> Find(const Index* first, const Index* last);
 
-  /// Whether the cycle of a region, which is not one of the outer region's own, lies within the latter.
+  /// Whether the cycle of a region, which is not one of the outer region's own, lies within the
+  /// latter.
   bool Contains(const CellRegion& outer, const CellRegion& cycle) const;
 
   /**

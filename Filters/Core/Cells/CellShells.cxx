@@ -18,8 +18,8 @@ namespace
 /// is smaller the deeper it lies. Chosen by hand.
 constexpr double DeepestDisc = 0.4;
 constexpr double DeepestWaist = 0.85;
-/// Depths that are tried for the region between several cycles, as parts of the room that it has: the
-/// one with the smallest area is taken.
+/// Depths that are tried for the region between several cycles, as parts of the room that it has:
+/// the one with the smallest area is taken.
 constexpr std::array<double, 4> TriedDepths{ 0.25, 0.5, 0.75, 1.0 };
 
 /// A group of cycles and its region.
@@ -77,8 +77,8 @@ private:
   std::vector<ShellGroup> Groups;
 };
 
-/// Finds the cycle of a group whose region has the regions of all others within, side by side. False
-/// if there is none: then no region lies between the cycles.
+/// Finds the cycle of a group whose region has the regions of all others within, side by side.
+/// False if there is none: then no region lies between the cycles.
 bool CellShells::FindOutermost(const std::vector<Index>& cycles, std::size_t& outermost) const
 {
   for (outermost = 0; outermost < cycles.size(); ++outermost)
@@ -244,9 +244,9 @@ void CellShells::AddWalls(const CellRegion& region, PatchMesh& shell) const
   }
 }
 
-/// Fills rings that have no triangles. A ring that is no wider than the precision may be turned over by
-/// rounding and then encloses nothing; but the walls beside it are there, and the patch has to be
-/// closed.
+/// Fills rings that have no triangles. A ring that is no wider than the precision may be turned
+/// over by rounding and then encloses nothing; but the walls beside it are there, and the patch has
+/// to be closed.
 void AddRingsLeftOut(const std::vector<Point2>& points,
   const std::vector<std::vector<Index>>& rings, std::vector<std::array<Index, 3>>& triangles)
 {

@@ -49,9 +49,9 @@ constexpr double LargestFragment = 0.5;
  * Chooses among the joins that are not impossible, in descending order of evidence: first those
  * that connect two parts of the surface, which need evidence above 0, then those that make handles,
  * which need more than HandleEvidence. Fragments need less to be connected, down to
- * -FragmentAllowance. Given prior knowledge, as many of either sort are chosen as are needed, in the
- * same order. Cycles of one cell are never joined in a ring. Returns what the surface is like if all
- * of them can be made.
+ * -FragmentAllowance. Given prior knowledge, as many of either sort are chosen as are needed, in
+ * the same order. Cycles of one cell are never joined in a ring. Returns what the surface is like
+ * if all of them can be made.
  */
 SurfaceTopology ChooseJoins(
   const CycleGeometry& geometry, const PriorKnowledge& known, std::vector<CycleJoin>& joins);

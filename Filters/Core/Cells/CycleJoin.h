@@ -38,8 +38,8 @@ struct LoopPair
  * An isolated contour has to go on somewhere: the nearest patch in one of its two cells, at the
  * distance d, has an evidence of at least ContinuationEvidence - d. With slices on one axis only,
  * this is so in each of its two cells. That alone makes no handle then: a contour that is connected
- * has gone on. Nor does a join with a cycle that StitchSlabs has joined to others. Outer contours and
- * holes are not joined then: that would be a tunnel from a cavity to the outside.
+ * has gone on. Nor does a join with a cycle that StitchSlabs has joined to others. Outer contours
+ * and holes are not joined then: that would be a tunnel from a cavity to the outside.
  */
 struct CycleJoin
 {

@@ -13,8 +13,8 @@ namespace orthoslices
 /// Evidence up to which the odds are near even: less than two to one (ln 2), for or against.
 constexpr double NearEvenEvidence = 0.693;
 
-/// From this width on a part matters to whoever looks at the surface, in mean plane spacings: what is
-/// narrower than the slices are apart is not resolved by them anyway.
+/// From this width on a part matters to whoever looks at the surface, in mean plane spacings: what
+/// is narrower than the slices are apart is not resolved by them anyway.
 constexpr double WidthThatMatters = 1.0;
 
 /**

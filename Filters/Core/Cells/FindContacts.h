@@ -73,7 +73,8 @@ struct KnownApart
  * Pairs of patches with triangles that do not certainly meet in common corners only; (p, p) for a
  * patch that may touch itself, which a fan cannot. Ascending, each pair once. Of two fans or shells
  * that touch others it may be left out that they touch each other, too: both have to make room
- * anyway. Sorts the triangles along x and drops some. What is known to be apart is not tested again.
+ * anyway. Sorts the triangles along x and drops some. What is known to be apart is not tested
+ * again.
  */
 std::vector<std::pair<Index, Index>> FindContacts(std::vector<PatchTriangle>& triangles,
   const std::vector<PatchKind>& kinds, KnownApart* known = nullptr);

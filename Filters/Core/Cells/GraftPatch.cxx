@@ -16,8 +16,8 @@ constexpr double RingShare = 0.5;
 /// Height of arches between points of one face, as a part of their distance: so low that they stay
 /// below the rest of the tube. Chosen by hand.
 constexpr double ArchHeight = 0.05;
-/// Pairs of triangles and points of a border up to which all distances are measured, which is a matter
-/// of milliseconds; where there are more pairs, points are left out.
+/// Pairs of triangles and points of a border up to which all distances are measured, which is a
+/// matter of milliseconds; where there are more pairs, points are left out.
 constexpr std::size_t MaxPairs = std::size_t(1) << 22;
 /// By so many ranks the triangle to be cut out moves on from one attempt to the next but one: where
 /// one triangle is of no use, its neighbours are likely not to be, either. Chosen by hand.

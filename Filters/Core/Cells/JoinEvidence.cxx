@@ -14,8 +14,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Points of a loop at which its distance to a patch is measured: the mean of so many differs little
-/// from that of all.
+/// Points of a loop at which its distance to a patch is measured: the mean of so many differs
+/// little from that of all.
 constexpr Index MaxSamples = 16;
 
 /// Whether there are slices of one family only.
@@ -84,8 +84,8 @@ private:
   double Step = 1.0; ///< of the spatial grid at this cell: the geometric mean
 };
 
-/// The mean of the cell's widths, or of mean widths where it is unbounded, without axes that have no
-/// planes.
+/// The mean of the cell's widths, or of mean widths where it is unbounded, without axes that have
+/// no planes.
 void PairMeter::FindStep(const std::array<Index, 3>& cell)
 {
   const SpatialGrid& grid = this->Geometry.Grid;

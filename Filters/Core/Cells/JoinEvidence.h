@@ -49,12 +49,12 @@ struct EvidenceWeights
 };
 
 /**
- * The weights in use. Those of the constant, D, T, S and d were fitted by logistic regression to 3 100
- * pairs of cycles in 12 scanned and segmented shapes, and rounded. The table of these pairs has not
- * been kept. `FitEvidence --turns 3` does the same for the nine surfaces of Data, cut by 16 and by 32
- * planes on each axis, as they are and in three other positions. It gives today, with standard
- * errors, for 7 463 pairs of cycles of node points, of which 272 belong together, and for all 8 877
- * pairs, isolated contours included, of which 1 051 do:
+ * The weights in use. Those of the constant, D, T, S and d were fitted by logistic regression to 3
+ * 100 pairs of cycles in 12 scanned and segmented shapes, and rounded. The table of these pairs has
+ * not been kept. `FitEvidence --turns 3` does the same for the nine surfaces of Data, cut by 16 and
+ * by 32 planes on each axis, as they are and in three other positions. It gives today, with
+ * standard errors, for 7 463 pairs of cycles of node points, of which 272 belong together, and for
+ * all 8 877 pairs, isolated contours included, of which 1 051 do:
  *
  *               in use      node points         all pairs
  *     constant     2.8     4.11 +- 0.49     5.22 +- 0.25
@@ -63,15 +63,15 @@ struct EvidenceWeights
  *     S            2.0     3.34 +- 0.43     1.63 +- 0.18
  *     d           -2.0    -2.01 +- 0.39    -2.88 +- 0.21
  *
- * So the signs agree but the sizes do not: the fit makes D count more than twice as much as it does in
- * use, T one and a half times. That changes the odds more than the choice: of the pairs of node
- * points the weights in use decide 98.0 % rightly and the fitted ones 98.0 %, of all pairs 94.3 % and
- * 94.2 %, but the fitted odds are the better ones (0.056 nats of surprise for each pair instead of
- * 0.108, 0.133 instead of 0.174). The odds in use are too near to even.
+ * So the signs agree but the sizes do not: the fit makes D count more than twice as much as it does
+ * in use, T one and a half times. That changes the odds more than the choice: of the pairs of node
+ * points the weights in use decide 98.0 % rightly and the fitted ones 98.0 %, of all pairs 94.3 %
+ * and 94.2 %, but the fitted odds are the better ones (0.056 nats of surprise for each pair instead
+ * of 0.108, 0.133 instead of 0.174). The odds in use are too near to even.
  *
- * The other weights were chosen by hand: cuts of one surface, to which one can fit, do not contradict
- * each other. A disagreement of 0.35 steps takes away what the constant gives; Closeness takes away
- * 1.8 at most, Inequality 2.
+ * The other weights were chosen by hand: cuts of one surface, to which one can fit, do not
+ * contradict each other. A disagreement of 0.35 steps takes away what the constant gives; Closeness
+ * takes away 1.8 at most, Inequality 2.
  */
 constexpr EvidenceWeights JoinWeights{ 2.8, -3.0, -4.0, 2.0, -2.0, -8.0, -4.0, -8.0, -2.0 };
 
@@ -96,9 +96,9 @@ std::vector<MeasuredPair> MeasurePairs(const EvidenceTables& tables);
  */
 constexpr double CertainEvidence = 3.0;
 /**
- * Evidence for the best way of an isolated contour to go on, if there is no distance to bridge: odds
- * of 4.5 to 1. One for each step of distance less, so that a patch more than one and a half steps
- * away is no way to go on by itself. Chosen by hand, not fitted.
+ * Evidence for the best way of an isolated contour to go on, if there is no distance to bridge:
+ * odds of 4.5 to 1. One for each step of distance less, so that a patch more than one and a half
+ * steps away is no way to go on by itself. Chosen by hand, not fitted.
  */
 constexpr double ContinuationEvidence = 1.5;
 /// Loops on one face are rather neighbours than ends of one tube: by so many steps they count as

@@ -12,8 +12,8 @@ namespace
 {
 /// Height of arches between points of one face, as a part of their distance: that of half a circle.
 constexpr double HalfCircle = 0.5;
-/// How far the point of a bridge between two curves lies on the way to the curve that the tube leads
-/// to: short of half-way, where the ring lies, so that both stay apart. Chosen by hand.
+/// How far the point of a bridge between two curves lies on the way to the curve that the tube
+/// leads to: short of half-way, where the ring lies, so that both stay apart. Chosen by hand.
 constexpr double BridgeLean = 0.4;
 
 /// 0 for cycles at an even distance from the first one in the tree, 1 for the others.

@@ -45,8 +45,8 @@ public:
   ~PatchSeparator();
 
   /**
-   * Builds the patches for the joins that are chosen; false if one of them was undone. Others may be
-   * chosen then. When it is run again, only cells with other joins than before are built anew.
+   * Builds the patches for the joins that are chosen; false if one of them was undone. Others may
+   * be chosen then. When it is run again, only cells with other joins than before are built anew.
    * REQUIRES: always the same list of joins, ascending by cell.
    */
   bool Run(const Execution& execution, std::vector<CycleJoin>& joins);

@@ -11,8 +11,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Least distance of new points from the faces of their cell, as a part of the cell's width: as much
-/// as central points of fans keep, too small to be seen and large beside what rounding moves.
+/// Least distance of new points from the faces of their cell, as a part of the cell's width: as
+/// much as central points of fans keep, too small to be seen and large beside what rounding moves.
 constexpr double InnerMargin = 1e-3;
 /// The greatest height of an arch, as a part of the cell's width: the middle of the cell.
 constexpr double HighestArch = 0.5;

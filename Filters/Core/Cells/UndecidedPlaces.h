@@ -59,18 +59,18 @@ struct UndecidedPlaces
  */
 double UncertaintyOf(double evidence);
 
-/// Evidence, for or against, from which a place counts as decided: the logistic regression gives its
-/// choice a probability of 1 / (1 + exp(-3)), which is 95 %.
+/// Evidence, for or against, from which a place counts as decided: the logistic regression gives
+/// its choice a probability of 1 / (1 + exp(-3)), which is 95 %.
 constexpr double DecisiveEvidence = 3.0;
 
 /**
  * Where to slice next (our own addition). A place counts as undecided if the evidence is less than
  * DecisiveEvidence, for or against, or if what was chosen is impossible, which counts as 1 bit of
  * uncertainty. Joins of cycles with arcs on virtual slices are left out: what such a slice says is
- * no contour of the input. A place is settled by a slice that passes between two cycles, or through an isolated
- * contour, which gets node points there. The plane that settles places with the greatest sum of
- * uncertainty is proposed first, then the one that settles most of the others, and so on (greedy
- * stabbing of weighted intervals), at most `maxPlanes`.
+ * no contour of the input. A place is settled by a slice that passes between two cycles, or through
+ * an isolated contour, which gets node points there. The plane that settles places with the
+ * greatest sum of uncertainty is proposed first, then the one that settles most of the others, and
+ * so on (greedy stabbing of weighted intervals), at most `maxPlanes`.
  */
 UndecidedPlaces FindUndecidedPlaces(
   const CycleGeometry& geometry, const std::vector<CycleJoin>& joins, Index maxPlanes = 1000);

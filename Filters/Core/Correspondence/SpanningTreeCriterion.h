@@ -20,10 +20,10 @@ namespace orthoslices
  * and the edges of its spanning tree of least cost are the correspondences. So nothing joins
  * contours of one slice, and no cycle, hence no handle, can be expressed.
  *
- * A spanning tree joins everything. Objects are separated as in C. Zahn's "Graph-theoretical methods
- * for detecting and describing Gestalt clusters" (1971), which is our interpretation: an edge is
- * dropped if it is out of all proportion to the tree, more than three times as long as the tree's
- * median edge (nine times its cost) and also longer than the two major semi-axes together.
+ * A spanning tree joins everything. Objects are separated as in C. Zahn's "Graph-theoretical
+ * methods for detecting and describing Gestalt clusters" (1971), which is our interpretation: an
+ * edge is dropped if it is out of all proportion to the tree, more than three times as long as the
+ * tree's median edge (nine times its cost) and also longer than the two major semi-axes together.
  *
  * Equal costs are ordered by the numbers of the contours. Time grows with the square of the number
  * of contours on two slices.

@@ -111,9 +111,9 @@ std::vector<Doubt> VertexLabeller::FindDoubts() const
 }
 
 /**
- * The label with the greater weight among the real slices. Between two of them that are as heavy the
- * virtual one decides; virtual ones alone are equal. Windings beyond 0 and 1 count as outside and
- * inside.
+ * The label with the greater weight among the real slices. Between two of them that are as heavy
+ * the virtual one decides; virtual ones alone are equal. Windings beyond 0 and 1 count as outside
+ * and inside.
  */
 int VertexLabeller::Vote(
   const std::array<Index, 3>& vertex, const std::array<int, 3>& winding) const

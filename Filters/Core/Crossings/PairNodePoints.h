@@ -39,12 +39,12 @@ struct NodePoints
 };
 
 /**
- * Pairs the crossings of the two families on every edge in their order along it. A node lies at
- * the mean of its two crossings, weighted by the axes of their slices; of a real and a virtual slice
- * at the crossing of the real one, of two virtual ones midway. Nodes keep the grid's
- * Margin from the ends of their edge and from each other, less where there are too many of them,
- * so that no two nodes coincide; they are numbered upwards along each edge. REQUIRES: reconciled
- * slices (as many crossings of both families on an edge, with the same signs).
+ * Pairs the crossings of the two families on every edge in their order along it. A node lies at the
+ * mean of its two crossings, weighted by the axes of their slices; of a real and a virtual slice at
+ * the crossing of the real one, of two virtual ones midway. Nodes keep the grid's Margin from the
+ * ends of their edge and from each other, less where there are too many of them, so that no two
+ * nodes coincide; they are numbered upwards along each edge. REQUIRES: reconciled slices (as many
+ * crossings of both families on an edge, with the same signs).
  */
 NodePoints PairNodePoints(const SpatialGrid& grid, const GridCrossings& crossings,
   const EdgeRegister& edges, const AxisWeights& weights = { 1.0, 1.0, 1.0 });

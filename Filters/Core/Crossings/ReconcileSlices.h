@@ -27,8 +27,9 @@ struct Reconciliation
  *                  matched, and those are taken out that stay unmatched.
  *
  * Afterwards every edge has the same number of crossings from both families, with alternating
- * signs, in the same order. Virtual slices give way to real ones. Slices that agree are left as they are, bit for bit. Arcs that close
- * by the snipping are appended to tables.Isolated if they have three vertices or more.
+ * signs, in the same order. Virtual slices give way to real ones. Slices that agree are left as
+ * they are, bit for bit. Arcs that close by the snipping are appended to tables.Isolated if they
+ * have three vertices or more.
  *
  * `background` is the winding number far away: 0, or 1 where the contours bound the outside.
  */

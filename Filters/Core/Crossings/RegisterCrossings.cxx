@@ -121,8 +121,8 @@ double Interpolate(double from, double to, double t)
   return t <= 0.0 ? from : t >= 1.0 ? to : from + t * (to - from);
 }
 
-/// The other coordinate at which a segment from p to q passes a plane of the first one, as seen from
-/// the lesser end.
+/// The other coordinate at which a segment from p to q passes a plane of the first one, as seen
+/// from the lesser end.
 double InterpolateFromLesser(double plane, const Point2& p, const Point2& q)
 {
   const Point2 &from = p < q ? p : q, &to = p < q ? q : p;

@@ -27,7 +27,8 @@ enum class RepairKind
 /**
  * A repair and its place. Size, in world units: distance from the vertex to the overruled slice's
  * nearest crossing (plane spacing if there is none); distance of the two crossings; length of the
- * new arcs (twice); length of the border of the patch; by how much the arcs became shorter; length of the contour.
+ * new arcs (twice); length of the border of the patch; by how much the arcs became shorter; length
+ * of the contour.
  */
 struct Repair
 {

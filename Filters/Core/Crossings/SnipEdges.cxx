@@ -186,9 +186,9 @@ void EdgeSnipper::SnipUnmatched(
 
 /**
  * Completes the crossings of `family`, a virtual slice, by those that only the real one has. These
- * are pairs of neighbours: each becomes a loop around the part of the edge between them, of two arcs
- * without vertices, one in each of the two faces beside it. Their positions are those of the real
- * ones, but stay ascending among those that the virtual slice has.
+ * are pairs of neighbours: each becomes a loop around the part of the edge between them, of two
+ * arcs without vertices, one in each of the two faces beside it. Their positions are those of the
+ * real ones, but stay ascending among those that the virtual slice has.
  */
 void EdgeSnipper::AddMissing(Index edge, int family, const Lists& lists, const Pairs& pairs)
 {

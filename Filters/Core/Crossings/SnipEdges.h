@@ -21,9 +21,9 @@ namespace orthoslices
  * in itself by that is appended to tables.Isolated, if it has three vertices or more.
  *
  * Where a real slice meets a virtual one (see SpatialGrid), nothing is taken from the real one: the
- * virtual one gets a loop of two crossings for each pair that it lacks. So a contour of a real slice
- * that meets no real slice of another family stays as it is. What is taken from virtual slices is
- * neither reported nor counted.
+ * virtual one gets a loop of two crossings for each pair that it lacks. So a contour of a real
+ * slice that meets no real slice of another family stays as it is. What is taken from virtual
+ * slices is neither reported nor counted.
  *
  * Returns the number of edges from which crossings of contours were taken, and appends a repair for
  * each pair of them. Afterwards every edge has the same number of crossings from both families,

@@ -102,7 +102,8 @@ Point3 Pointing(const Point3& normal, int axis)
   return normal[decisive] < 0.0 ? -1.0 * normal : normal;
 }
 
-/// The axes of a single family: those of the world, turned by as little as brings one to the normal.
+/// The axes of a single family: those of the world, turned by as little as brings one to the
+/// normal.
 Axes CompleteOne(const Point3& normal, int axis)
 {
   Axes axes;

@@ -20,10 +20,10 @@ struct FamilyAxes
 /**
  * Which family is x, y and z, and where its axis points.
  *
- * Families take the axes of the world that are nearest to their normals. If a normal is more than 40
- * degrees from its axis, these say little: then the families are those of the ports that they came
- * through, if each came through one of its own, 0 for x, 1 for y and 2 for z. Each axis points the
- * way of the world's; where it is nearly at right angles to that, the way of its largest
+ * Families take the axes of the world that are nearest to their normals. If a normal is more than
+ * 40 degrees from its axis, these say little: then the families are those of the ports that they
+ * came through, if each came through one of its own, 0 for x, 1 for y and 2 for z. Each axis points
+ * the way of the world's; where it is nearly at right angles to that, the way of its largest
  * coordinate; one of them the other way if they would be left-handed else.
  *
  * A missing axis is at right angles to the others, of a single family as near to those of the world

@@ -10,16 +10,18 @@ namespace orthoslices
 {
 namespace
 {
-/// Contours whose normals are that close belong to one family, whatever their noise: 2 degrees. Planes
-/// drawn or moved by hand are not that parallel; planes at different angles on purpose are farther.
+/// Contours whose normals are that close belong to one family, whatever their noise: 2 degrees.
+/// Planes drawn or moved by hand are not that parallel; planes at different angles on purpose are
+/// farther.
 const double CosineWithin = std::cos(2.0 * 3.14159265358979323846 / 180.0);
 
-/// Families have to be that far apart, by the volume of the box of their unit normals: two of them by
-/// 15 degrees. Closer ones make cells so oblique that nothing is left of their shape.
+/// Families have to be that far apart, by the volume of the box of their unit normals: two of them
+/// by 15 degrees. Closer ones make cells so oblique that nothing is left of their shape.
 constexpr double LeastVolume = 0.25;
 
-/// A family has a contour of at least this part of the weight of the greatest one, or three contours:
-/// a small piece that is left over somewhere is none, but slices through a thin plate are.
+/// A family has a contour of at least this part of the weight of the greatest one, or three
+/// contours: a small piece that is left over somewhere is none, but slices through a thin plate
+/// are.
 constexpr double LeastShare = 0.02;
 constexpr Index LeastContours = 3;
 

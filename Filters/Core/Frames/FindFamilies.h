@@ -13,8 +13,8 @@ namespace orthoslices
 struct PlaneNoise
 {
   double Tolerance = 0.0; ///< of planes: off them by less counts as on them
-  /// The median of the thicknesses of contours with enough points to show one; negative if there are
-  /// none.
+  /// The median of the thicknesses of contours with enough points to show one; negative if there
+  /// are none.
   double Typical = -1.0;
 
   /// What a contour may well have, as a root mean square: its own thickness or the typical one; a
@@ -43,8 +43,8 @@ struct PlaneFamily
 
 /**
  * Up to three families of planes that are well apart, those with the greatest contours and the most
- * nearly orthogonal ones. Their normals are those of least squares through all of their contours, or
- * axes of the world where these do as well: noise makes no families, and no tilt.
+ * nearly orthogonal ones. Their normals are those of least squares through all of their contours,
+ * or axes of the world where these do as well: noise makes no families, and no tilt.
  */
 std::vector<PlaneFamily> FindFamilies(
   const std::vector<PieceGroup>& groups, const PlaneNoise& noise);

@@ -20,15 +20,16 @@ struct OtherPlane
 };
 
 /**
- * The planes of polylines that belong to no family, by least squares through all points of each (our own
- * addition). Contours count as on one plane if each is on that of the other, as far as noise lets one
- * see. `tolerance` is that of planes, in world units. The planes ascend by their first polylines.
+ * The planes of polylines that belong to no family, by least squares through all points of each
+ * (our own addition). Contours count as on one plane if each is on that of the other, as far as
+ * noise lets one see. `tolerance` is that of planes, in world units. The planes ascend by their
+ * first polylines.
  */
 std::vector<OtherPlane> FindOtherPlanes(const Polylines& lines, double tolerance);
 
 /**
- * The polylines of a plane as pieces of slices across z in a frame of their own: U and V are along two
- * unit vectors within the plane that make a right-handed frame with its normal, and W along the
+ * The polylines of a plane as pieces of slices across z in a frame of their own: U and V are along
+ * two unit vectors within the plane that make a right-handed frame with its normal, and W along the
  * normal: that of the plane for all points that differ from it by no more than noise. Cells are the
  * numbers of the polylines.
  */

@@ -36,8 +36,8 @@ struct PieceGroup
 };
 
 /**
- * Closed polylines are groups of their own; open ones are joined where two ends, and no more, lie at
- * exactly the same place. In loose segments, single pieces say nothing of the plane. The groups
+ * Closed polylines are groups of their own; open ones are joined where two ends, and no more, lie
+ * at exactly the same place. In loose segments, single pieces say nothing of the plane. The groups
  * ascend by their first members.
  */
 std::vector<PieceGroup> GroupPieces(const Polylines& lines);

@@ -7,7 +7,8 @@
 
 namespace orthoslices
 {
-/// How points are scattered around their centre, or around those of several parts. Sums may be added.
+/// How points are scattered around their centre, or around those of several parts. Sums may be
+/// added.
 struct Scatter
 {
   std::array<double, 6> Sums{}; ///< of squares and products: xx, yy, zz, yz, zx, xy

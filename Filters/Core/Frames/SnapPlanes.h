@@ -11,10 +11,10 @@
 namespace orthoslices
 {
 /**
- * Gives the contours of one plane one coordinate, after they were turned. A plane lies at the mean of
- * all points of its contours; contours are on one plane if theirs differ by less than noise. Vertices
- * that are farther off than that stay where they are. The cells of the pieces are the numbers of
- * the polylines in the groups.
+ * Gives the contours of one plane one coordinate, after they were turned. A plane lies at the mean
+ * of all points of its contours; contours are on one plane if theirs differ by less than noise.
+ * Vertices that are farther off than that stay where they are. The cells of the pieces are the
+ * numbers of the polylines in the groups.
  */
 void SnapPlanes(const std::vector<PieceGroup>& groups, const Point3& normal,
   const PlaneNoise& noise, Pieces& pieces);

@@ -116,8 +116,8 @@ private:
     }
   }
 
-  /// A contour that is no larger than the noise would lie on planes of any family: it belongs to that of
-  /// nearly all others of its port, if there is one.
+  /// A contour that is no larger than the noise would lie on planes of any family: it belongs to
+  /// that of nearly all others of its port, if there is one.
   void PreferAxisOfPort(std::vector<std::int8_t>& axes) const
   {
     constexpr double nearlyAll = 0.9;

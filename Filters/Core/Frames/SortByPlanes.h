@@ -56,8 +56,8 @@ SortedSlices SortByPlanes(const Polylines& lines, const FrameOptions& options);
 /// The diagonal of the box around all finite coordinates; 0 if there are none.
 double DiagonalOf(const Polylines& lines);
 
-/// The axes for given normals of three families, of any length; the third one is reversed if they are
-/// left-handed. False if they are nearly in one plane.
+/// The axes for given normals of three families, of any length; the third one is reversed if they
+/// are left-handed. False if they are nearly in one plane.
 bool MakeGivenFrame(const std::array<Point3, 3>& normals, AxisFrame& frame);
 }
 

@@ -71,7 +71,8 @@ struct GraphLoop
 void MoveInsideFaces(
   const SpatialGrid& grid, const ArcsByFace& faces, const Execution& execution, NodeGraph& graph);
 
-/// Gives arcs the vertices that were drawn for them, in the places of the old ones. Drops the loops.
+/// Gives arcs the vertices that were drawn for them, in the places of the old ones. Drops the
+/// loops.
 void ReplaceArcs(
   const std::vector<FaceDrawing>& drawings, GridCrossings& crossings, NodeGraph& graph);
 

@@ -105,8 +105,8 @@ bool ArcEmbedder::IsSimple(const FaceArcs& face) const
   return AreSimple(curves.Curves);
 }
 
-/// A vertex a little inside the face, beside the middle between two ends on one edge of M: as deep as
-/// a part of their distance, `steepness`.
+/// A vertex a little inside the face, beside the middle between two ends on one edge of M: as deep
+/// as a part of their distance, `steepness`.
 Point2 ArcEmbedder::Bump(const Face& face, double steepness, Index start, Index stop) const
 {
   const SpatialGrid& grid = this->Geometry.Grid;
@@ -176,9 +176,9 @@ Index ArcEmbedder::AddBumps(const FaceArcs& face, double steepness, FaceCurves& 
 /// Passes the vertices of the arcs in another order. False if that does not help.
 bool ArcEmbedder::Uncross(const FaceArcs& face, FaceDrawing& drawing) const
 {
-  // An arc that runs beside the edge of M may take the top of a bump over. On a virtual slice the next
-  // bump has to fit between the two, so that it is flatter. On a real one bumps stay as they are: of
-  // things thinner than the slices are apart they are most of the volume.
+  // An arc that runs beside the edge of M may take the top of a bump over. On a virtual slice the
+  // next bump has to fit between the two, so that it is flatter. On a real one bumps stay as they
+  // are: of things thinner than the slices are apart they are most of the volume.
   constexpr int maxRounds = 4;
   const bool isVirtual = this->Geometry.Grid.IsVirtual(face.Face.Axis, face.Face.Plane);
   const double flatter = isVirtual ? 0.25 : 1.0;

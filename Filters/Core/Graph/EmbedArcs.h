@@ -29,7 +29,8 @@ namespace orthoslices
 std::vector<Repair> EmbedArcs(
   const GraphTables& tables, const Execution& execution, const std::vector<Index>& forced = {});
 
-/// The faces, ascending, whose arcs touch each other or themselves: those that EmbedArcs would change.
+/// The faces, ascending, whose arcs touch each other or themselves: those that EmbedArcs would
+/// change.
 std::vector<Index> FindCrossingFaces(
   const ArcGeometry& geometry, const ArcsByFace& faces, const Execution& execution);
 }

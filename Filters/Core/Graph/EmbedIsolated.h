@@ -14,7 +14,8 @@ namespace orthoslices
  * Vertices on the border of their face move inside by the grid's Margin. Contours that cross
  * themselves or each other are taken apart (see UncrossCurves). One that still touches an arc or a
  * larger loop of its face takes no part in the surface, nor does one whose bounding box has a
- * diagonal of less than `minimum` (world units). Loops that G had before are replaced. REQUIRES: EmbedArcs has run.
+ * diagonal of less than `minimum` (world units). Loops that G had before are replaced. REQUIRES:
+ * EmbedArcs has run.
  */
 void EmbedIsolated(const GraphTables& tables, double minimum, const Execution& execution,
   IsolatedContours& isolated);

@@ -12,8 +12,8 @@ namespace orthoslices
 {
 namespace
 {
-/// A contour that has lost all of its node points stays if a part of at least this share of its area
-/// is left: no more than a bulge was cut off then.
+/// A contour that has lost all of its node points stays if a part of at least this share of its
+/// area is left: no more than a bulge was cut off then.
 constexpr double MinShare = 0.75;
 
 /// The contour in its plane.

@@ -30,9 +30,9 @@ struct IsolatedContours
 };
 
 /**
- * Parts that were cut off are left out. But a contour that has lost all of its crossings and a small
- * part of its area, because it grazed a plane on which the other slices have nothing, is isolated:
- * the rest of it stays, if `keepGrazing`: where the slices agree otherwise.
+ * Parts that were cut off are left out. But a contour that has lost all of its crossings and a
+ * small part of its area, because it grazed a plane on which the other slices have nothing, is
+ * isolated: the rest of it stays, if `keepGrazing`: where the slices agree otherwise.
  */
 IsolatedContours CopyIsolated(const std::vector<IsolatedLoop>& loops, const Contours& contours,
   const GridCrossings& crossings, bool keepGrazing = true);

@@ -51,16 +51,16 @@ struct ArcSource
   const SpatialGrid& Grid;
   const GridCrossings& Crossings;
   const NodePoints& Nodes;
-  /// Vertices of contours that stay in any case, because contours of other structures part from this
-  /// one there; null if there are none.
+  /// Vertices of contours that stay in any case, because contours of other structures part from
+  /// this one there; null if there are none.
   const std::set<Point3>* Fixed = nullptr;
 };
 
 /**
  * Builds G. Contour vertices at the place of their own crossing are the node point and are not
- * repeated. Where the two contours of a node point disagree by more than `tolerance`, the
- * vertices of the arcs beside it move with it within their planes, less and less along the arc, and
- * none from a fixed one on; elsewhere they stay as they are, bit for bit. With SpatialGrid::BothWays,
+ * repeated. Where the two contours of a node point disagree by more than `tolerance`, the vertices
+ * of the arcs beside it move with it within their planes, less and less along the arc, and none
+ * from a fixed one on; elsewhere they stay as they are, bit for bit. With SpatialGrid::BothWays,
  * they move to the same places, to the last bit, if the contours run the other way.
  */
 NodeGraph BuildNodeGraph(const ArcSource& source, double tolerance, const Execution& execution);

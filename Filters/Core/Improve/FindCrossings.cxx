@@ -11,7 +11,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Triangles in the smallest boxes, and how many of these are asked for in a row. They change the time only.
+/// Triangles in the smallest boxes, and how many of these are asked for in a row. They change the
+/// time only.
 constexpr std::size_t InLeaf = 4;
 constexpr std::size_t BlockSize = 64;
 
@@ -138,7 +139,8 @@ void BoxTree::ListLeaves(const Box3& box, std::vector<std::size_t>& leaves) cons
   }
 }
 
-/// Whether two triangles certainly meet in their common corners only. Reuses the memory of its lists.
+/// Whether two triangles certainly meet in their common corners only. Reuses the memory of its
+/// lists.
 class PairTest
 {
 public:
@@ -176,7 +178,8 @@ public:
   }
 
 private:
-  /// Whether a triangle lies on one side of the plane of another one, but for a corner that both have.
+  /// Whether a triangle lies on one side of the plane of another one, but for a corner that both
+  /// have.
   static bool IsOnOneSide(
     const std::array<Point3, 3>& other, const std::array<Point3, 3>& triangle, int corner)
   {

@@ -16,8 +16,8 @@ namespace
 /// How often the surface is improved anew, less and less of it where triangles would meet.
 constexpr int MaxRounds = 12;
 
-/// Fixes the corners that triangles had before, of those that are not apart, and so many rings of points
-/// around them. Only triangles that were changed have to be as they were.
+/// Fixes the corners that triangles had before, of those that are not apart, and so many rings of
+/// points around them. Only triangles that were changed have to be as they were.
 void FixAround(const ImprovableMesh& mesh, const CornerTable& before,
   const std::vector<std::pair<Index, Index>>& pairs, int rings, std::vector<std::uint8_t>& isFixed)
 {

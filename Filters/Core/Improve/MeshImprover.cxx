@@ -20,7 +20,8 @@ constexpr std::size_t MaxWork = 10;
 /// The bounds, as shares of the one asked for: the worst come first.
 constexpr std::array<double, 4> Bounds{ 0.1, 0.4, 0.75, 1.0 };
 
-/// The least that an operation gains, as a factor of the squared sine: so that none is done for nothing.
+/// The least that an operation gains, as a factor of the squared sine: so that none is done for
+/// nothing.
 constexpr double LeastGain = 1.02;
 
 /// The same of a collapse, which leaves two triangles less, so that the next one may gain more.
@@ -29,8 +30,8 @@ constexpr double LeastOfCollapse = 0.95;
 /// The cosine of the angle by which a triangle may turn: 60 degrees.
 constexpr double MostTurn = 0.5;
 
-/// What may be done in addition to the worst triangles that are left: those below the share of the angle
-/// may move the surface by so many tolerances, and turn by 84 degrees.
+/// What may be done in addition to the worst triangles that are left: those below the share of the
+/// angle may move the surface by so many tolerances, and turn by 84 degrees.
 constexpr double WorstBound = 0.2;
 constexpr double MoreForWorst = 1.4;
 constexpr double MostTurnOfWorst = 0.1;

@@ -29,11 +29,12 @@ struct ImprovementLimits
 };
 
 /**
- * Shapes triangles well, by local operations: where one has a small angle, a side of it is turned into
- * the other diagonal, collapses into one of its ends, or a corner moves along the surface, whatever makes
- * the smallest angle around it the greatest. The worst triangles come first. Nothing is done that moves the
- * surface by more than the tolerance, folds it, or changes its topology. Whether distant parts of it come
- * to meet each other is for the caller to find out (FindCrossings). Deterministic.
+ * Shapes triangles well, by local operations: where one has a small angle, a side of it is turned
+ * into the other diagonal, collapses into one of its ends, or a corner moves along the surface,
+ * whatever makes the smallest angle around it the greatest. The worst triangles come first. Nothing
+ * is done that moves the surface by more than the tolerance, folds it, or changes its topology.
+ * Whether distant parts of it come to meet each other is for the caller to find out
+ * (FindCrossings). Deterministic.
  */
 class MeshImprover
 {

@@ -40,14 +40,14 @@ public:
   Point3 Normal() const;
 
   /**
-   * Looks at the triangles as they would be, and sets `quality` to the least SquaredSine of them. False
-   * if the change may not be. Triangles that were slivers have normals that say nothing: instead of the
-   * angle by which they turn, that against the normal of the star counts.
+   * Looks at the triangles as they would be, and sets `quality` to the least SquaredSine of them.
+   * False if the change may not be. Triangles that were slivers have normals that say nothing:
+   * instead of the angle by which they turn, that against the normal of the star counts.
    */
   bool Try(const CornerTable& corners, const StarChange& change, double& quality);
 
-  /// How far the point, which is at `place`, and the middles of its edges are from the triangles as they
-  /// would be; not exactly if that is far less or more than the tolerance.
+  /// How far the point, which is at `place`, and the middles of its edges are from the triangles as
+  /// they would be; not exactly if that is far less or more than the tolerance.
   double Shift(const Point3& place, double tolerance) const;
 
   std::vector<Index> Corners;          ///< at the point

@@ -14,8 +14,8 @@ namespace orthoslices
 {
 namespace
 {
-/// How the patches of a group are made: each form makes less of their shape and more sure of it than
-/// the one before.
+/// How the patches of a group are made: each form makes less of their shape and more sure of it
+/// than the one before.
 enum class GroupForm : std::uint8_t
 {
   Own,    ///< as their structures have them; of one patch only
@@ -143,8 +143,8 @@ bool CellSettler::Separate(Index a, Index b)
   return form != GroupForm::Stuck;
 }
 
-/// The new form of a patch for each of its owners, whose borders may begin elsewhere and run the other
-/// way.
+/// The new form of a patch for each of its owners, whose borders may begin elsewhere and run the
+/// other way.
 void AddNewPatches(
   const CellPatch& patch, const std::vector<std::vector<Index>>& borders, SettledCell& result)
 {
@@ -174,7 +174,8 @@ void AddNewPatches(
   }
 }
 
-/// Whether a patch of several cycles is in the way of others; then its cycles get patches of their own.
+/// Whether a patch of several cycles is in the way of others; then its cycles get patches of their
+/// own.
 bool CellSettler::BreakMeshes()
 {
   bool any = false;
@@ -190,9 +191,10 @@ bool CellSettler::BreakMeshes()
 }
 
 /**
- * Whether a patch of several cycles has one that is the whole border of another structure's patch: what is
- * beyond that cycle ends there for the other structure, and leads to another cycle for this one. Between
- * both there would be a gap, or an overlap. Then its cycles get patches of their own, as there.
+ * Whether a patch of several cycles has one that is the whole border of another structure's patch:
+ * what is beyond that cycle ends there for the other structure, and leads to another cycle for this
+ * one. Between both there would be a gap, or an overlap. Then its cycles get patches of their own,
+ * as there.
  */
 bool CellSettler::BreakContradicted()
 {

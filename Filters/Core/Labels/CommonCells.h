@@ -26,8 +26,8 @@ struct CommonCellCounts
 };
 
 /**
- * Makes the surfaces of several structures pass through common cells of M without crossing each other
- * (our own addition). Within a cell the patches of all structures are compared:
+ * Makes the surfaces of several structures pass through common cells of M without crossing each
+ * other (our own addition). Within a cell the patches of all structures are compared:
  *
  *  - Borders that are the same in all points have the same patch; nothing is to be done.
  *  - Borders that have a part in common, where a common border of two structures ends, become fans
@@ -35,8 +35,8 @@ struct CommonCellCounts
  *    have patches that differ.
  *
  * On the boundary of a cell the borders of structures do not cross if their contours do not, and a
- * cell is convex: fans of such borders around one point meet in that point and in triangles over what
- * the borders have in common only. That is exact, whatever the borders are.
+ * cell is convex: fans of such borders around one point meet in that point and in triangles over
+ * what the borders have in common only. That is exact, whatever the borders are.
  *
  * The common point is the middle of the places where borders part, which lie on the curve in which
  * structures meet.

@@ -13,8 +13,8 @@ namespace orthoslices
 {
 namespace
 {
-/// How many structures, from the first one on, are in both of two sets or in none of them, before one
-/// that is in one of them only. REQUIRES: the sets are not the same.
+/// How many structures, from the first one on, are in both of two sets or in none of them, before
+/// one that is in one of them only. REQUIRES: the sets are not the same.
 Index AgreeUpTo(const std::vector<Index>& a, const std::vector<Index>& b)
 {
   std::vector<Index> different;
@@ -88,8 +88,8 @@ bool FaceSets::IsSliver(Index face, double thickness) const
     2.0 * this->Areas[face] <= thickness * this->Lengths[face];
 }
 
-/// The face beside that is not open itself with the set that agrees for most structures, and of these the
-/// one with the longest common border; -1 if there is none.
+/// The face beside that is not open itself with the set that agrees for most structures, and of
+/// these the one with the longest common border; -1 if there is none.
 Index FaceSets::BestNeighbour(Index face, const std::vector<std::uint8_t>& isOpen) const
 {
   Index best = -1;

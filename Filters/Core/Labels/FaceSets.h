@@ -21,8 +21,8 @@ public:
   FaceSets(const PlaneWalks& walks, const PlaneFaces& faces, const LoopWindings& windings,
     const std::vector<Index>& structures);
 
-  /// Gives slivers, and faces with sets that are not among those allowed, if these are not empty, to
-  /// neighbours, as ShareBorders says. The sets of all other faces.
+  /// Gives slivers, and faces with sets that are not among those allowed, if these are not empty,
+  /// to neighbours, as ShareBorders says. The sets of all other faces.
   StructureSets Reassign(double thickness, const StructureSets& allowed);
 
   Index Count() const { return static_cast<Index>(this->Sets.size()); }

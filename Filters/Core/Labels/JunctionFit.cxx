@@ -11,7 +11,8 @@ namespace orthoslices
 {
 namespace
 {
-/// What a surface's area has to be, in squares of half the length of the curve, for it to have a plane.
+/// What a surface's area has to be, in squares of half the length of the curve, for it to have a
+/// plane.
 constexpr double MinArea = 1e-6;
 
 /// How far a border may lie off its quadratic, in half the length of the curve.

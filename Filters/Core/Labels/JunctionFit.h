@@ -17,11 +17,11 @@ struct BorderSide
 };
 
 /**
- * Where the curve runs in which three surfaces of a cell meet, from one point on the boundary of the
- * cell to another one. Of the three surfaces, each with the two others as its border, one is the
- * smoothest: two parts of it continue one another, and the third surface ends on it. A quadratic is
- * fitted to the border of each, as a height over its mean plane; the curve is on the one that fits best,
- * over the straight line between its ends.
+ * Where the curve runs in which three surfaces of a cell meet, from one point on the boundary of
+ * the cell to another one. Of the three surfaces, each with the two others as its border, one is
+ * the smoothest: two parts of it continue one another, and the third surface ends on it. A
+ * quadratic is fitted to the border of each, as a height over its mean plane; the curve is on the
+ * one that fits best, over the straight line between its ends.
  */
 class JunctionFit
 {
@@ -32,12 +32,13 @@ public:
   {
   }
 
-  /// One of the surfaces, by the sides of its border, in one direction around it. False if another one
-  /// fits better, or if it does not fit to within a quarter of the distance of the ends from their middle.
+  /// One of the surfaces, by the sides of its border, in one direction around it. False if another
+  /// one fits better, or if it does not fit to within a quarter of the distance of the ends from
+  /// their middle.
   bool Try(const std::vector<BorderSide>& border);
 
-  /// The place of the curve after a share of its way, and the normal of the surface that it is on; zero
-  /// if there is none.
+  /// The place of the curve after a share of its way, and the normal of the surface that it is on;
+  /// zero if there is none.
   void Evaluate(double share, Point3& place, Point3& normal) const;
   /// The same for the curve on the surface between two other points.
   void EvaluateBetween(

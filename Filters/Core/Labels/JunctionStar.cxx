@@ -18,8 +18,8 @@ constexpr std::size_t MaxPatches = 6;
 
 using Sides = std::vector<std::pair<Index, Index>>;
 
-/// The border of what some patches of a group, by the bits of `chosen`, surround together; empty if two of
-/// them have a side in the same direction, so that one is within the other.
+/// The border of what some patches of a group, by the bits of `chosen`, surround together; empty if
+/// two of them have a side in the same direction, so that one is within the other.
 Sides BorderOfSome(const PatchGroup& group, unsigned chosen, const StructurePatches& cell)
 {
   std::map<CellEdge, int> count; // how much more often from the lesser end than to it

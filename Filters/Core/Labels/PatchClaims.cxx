@@ -12,19 +12,19 @@ namespace orthoslices
 {
 namespace
 {
-/// How far patches with a point of their own move it, as parts of the way from the common one to the
-/// middle of their border, in the order in which that is tried.
+/// How far patches with a point of their own move it, as parts of the way from the common one to
+/// the middle of their border, in the order in which that is tried.
 constexpr std::array<double, 4> TriedWays{ 0.4, 0.15, 0.7, 0.85 };
 /// The same for one patch after another; a small border is seen from nearby only.
 constexpr std::array<double, 7> WaysInTurn{ 0.4, 0.7, 0.85, 0.95, 0.15, 0.99, 0.03 };
 /// As many choices are tried of the patches that keep the common point.
 constexpr std::size_t TriedChoices = 3;
-/// As many chords of a border are tried, by the middles of which a point may lie, if its middle sees not
-/// all of it.
+/// As many chords of a border are tried, by the middles of which a point may lie, if its middle
+/// sees not all of it.
 constexpr std::size_t TriedChords = 4;
 
-/// A patch whose sides are each seen from one of several points; `around` has the place of each side's
-/// point in `centers`, and `base` is that of the patch.
+/// A patch whose sides are each seen from one of several points; `around` has the place of each
+/// side's point in `centers`, and `base` is that of the patch.
 InnerPatch FanAroundSeveral(
   const std::vector<Index>& around, Index base, const std::vector<Point3>& centers)
 {
@@ -102,9 +102,9 @@ void PatchForms::AddClaim(Index patch, const Point3& center, Claims& claims) con
 }
 
 /**
- * Fans around one point, but around others where patches claim their sides, in their neighbours, too; where
- * sides around several points follow each other, triangles between these points fill the patch. False if
- * that is no surface.
+ * Fans around one point, but around others where patches claim their sides, in their neighbours,
+ * too; where sides around several points follow each other, triangles between these points fill the
+ * patch. False if that is no surface.
  */
 bool PatchForms::Build(const PatchGroup& group, const Claims& claims)
 {
@@ -149,8 +149,8 @@ bool PatchForms::ClaimAll(const PatchGroup& group, std::size_t kept, double way)
   return this->Build(group, claims) && this->Cell.FindContactsOf(group).empty();
 }
 
-/// Where a patch may have a point of its own: between the common one and the middle of its border, or of
-/// some chords of it.
+/// Where a patch may have a point of its own: between the common one and the middle of its border,
+/// or of some chords of it.
 std::vector<Point3> PatchForms::PlacesFor(Index patch, const Point3& common) const
 {
   const std::vector<Index>& border = this->Cell[patch].Border;
@@ -173,7 +173,8 @@ std::vector<Point3> PatchForms::PlacesFor(Index patch, const Point3& common) con
   return places;
 }
 
-/// Whether two patches of one structure have a point inside in common, so that its surface touches itself.
+/// Whether two patches of one structure have a point inside in common, so that its surface touches
+/// itself.
 bool PatchForms::IsShared(const PatchGroup& group, const Point3& center) const
 {
   std::set<Index> structures;
@@ -213,8 +214,8 @@ bool PatchForms::ClaimNext(const PatchGroup& group, Index patch, Claims& claims)
   return false;
 }
 
-/// One patch after another takes a point of its own, from the shortest border on. Those for which no
-/// place is found keep the common one; then it is false.
+/// One patch after another takes a point of its own, from the shortest border on. Those for which
+/// no place is found keep the common one; then it is false.
 bool PatchForms::ClaimInTurn(const PatchGroup& group, std::size_t kept)
 {
   Claims claims;

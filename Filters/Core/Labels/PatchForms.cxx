@@ -161,7 +161,8 @@ bool PatchForms::CanBeCommon(const PatchGroup& group) const
   return true;
 }
 
-/// The middle of the points at which borders of a group part; of the patches' centers, if they do not.
+/// The middle of the points at which borders of a group part; of the patches' centers, if they do
+/// not.
 Point3 PatchForms::CommonCenter(const PatchGroup& group) const
 {
   std::set<Index> parting;

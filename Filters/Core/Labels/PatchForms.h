@@ -9,12 +9,12 @@
 
 namespace orthoslices
 {
-/// Whether the triangles are a surface with a border of so many points, each side of it passed once, in
-/// its direction.
+/// Whether the triangles are a surface with a border of so many points, each side of it passed
+/// once, in its direction.
 bool IsBordered(const InnerPatch& patch, std::size_t size);
 
-/// The forms that patches of several structures in one cell can have in place of their own. Each function
-/// returns false, and leaves the patches as they are, where that is impossible.
+/// The forms that patches of several structures in one cell can have in place of their own. Each
+/// function returns false, and leaves the patches as they are, where that is impossible.
 class PatchForms
 {
 public:
@@ -29,14 +29,16 @@ public:
   bool BecomeSheets(const PatchGroup& group);
   /// The same where more than two points are ends of such curves: they meet in one point.
   bool BecomeStar(const PatchGroup& group);
-  /// Fans around one point. Not if a structure has two of the patches: its surface would touch itself.
+  /// Fans around one point. Not if a structure has two of the patches: its surface would touch
+  /// itself.
   bool BecomeCommon(const PatchGroup& group);
   /**
-   * Fans around one point, from which some patches take theirs a part of the way to their border, so that
-   * no structure has two patches around one point. It is tried which of them keep it, and how far the
-   * others go: all as far at first, then one after another. A patch of several cycles stays as it is. False
-   * if the patches touch each other in all trials; then, if none is of several cycles, some patches of one
-   * structure touch in the common point, and those of different structures nowhere.
+   * Fans around one point, from which some patches take theirs a part of the way to their border,
+   * so that no structure has two patches around one point. It is tried which of them keep it, and
+   * how far the others go: all as far at first, then one after another. A patch of several cycles
+   * stays as it is. False if the patches touch each other in all trials; then, if none is of
+   * several cycles, some patches of one structure touch in the common point, and those of different
+   * structures nowhere.
    */
   bool BecomeClaims(const PatchGroup& group);
 

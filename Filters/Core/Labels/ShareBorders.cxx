@@ -59,8 +59,8 @@ private:
   SharedSlice Result;
 };
 
-/// The contours, those of each structure moved onto those of structures before it that are as close as
-/// slivers are wide.
+/// The contours, those of each structure moved onto those of structures before it that are as close
+/// as slivers are wide.
 std::vector<std::vector<Point2>> SliceSharer::ReadPolygons()
 {
   std::vector<std::vector<Point2>> polygons;
@@ -184,8 +184,8 @@ bool SliceSharer::HasChanged(Index structure, const PlaneWalks& walks, const Fac
   return false;
 }
 
-/// The contours of a structure, or those around all of them, if it is -1. They are contours of the input
-/// if these are of that structure.
+/// The contours of a structure, or those around all of them, if it is -1. They are contours of the
+/// input if these are of that structure.
 Contours SliceSharer::Trace(
   const PlaneWalks& walks, const PlaneFaces& faces, const FaceSets& sets, Index structure) const
 {

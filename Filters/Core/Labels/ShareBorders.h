@@ -34,18 +34,19 @@ struct SharedBorders
 };
 
 /**
- * Makes contours of several structures on one slice have the same vertices where they run along each
- * other (our own addition). Vertices closer than `thickness` to a contour of a structure before theirs
- * are moved onto it. Then the sides of all contours are split where they meet, exactly, so that a vertex of
- * one is a vertex of all that pass through it. A face of the plane graph between them that is
- * thinner than `thickness` (twice its area by its length) is a *sliver*, of a gap or an overlap that
- * nobody has drawn on purpose: it becomes what one of its neighbours is. So do, if `allowed` is not
- * empty, faces that sets of structures have in common that are not among those allowed. The neighbour is
- * chosen that leaves the first structure as it is, and of these one that leaves the second one as it is,
- * and so on: so of two contours that run along each other, the one of the lesser number stays.
+ * Makes contours of several structures on one slice have the same vertices where they run along
+ * each other (our own addition). Vertices closer than `thickness` to a contour of a structure
+ * before theirs are moved onto it. Then the sides of all contours are split where they meet,
+ * exactly, so that a vertex of one is a vertex of all that pass through it. A face of the plane
+ * graph between them that is thinner than `thickness` (twice its area by its length) is a *sliver*,
+ * of a gap or an overlap that nobody has drawn on purpose: it becomes what one of its neighbours
+ * is. So do, if `allowed` is not empty, faces that sets of structures have in common that are not
+ * among those allowed. The neighbour is chosen that leaves the first structure as it is, and of
+ * these one that leaves the second one as it is, and so on: so of two contours that run along each
+ * other, the one of the lesser number stays.
  *
- * Contours that meet no others of their slice, or others in vertices of both alone, stay as they are.
- * The others are traced anew, in the place of all contours of their structure on that slice.
+ * Contours that meet no others of their slice, or others in vertices of both alone, stay as they
+ * are. The others are traced anew, in the place of all contours of their structure on that slice.
  * REQUIRES: contours have their interior on the left, and do not cross others of their structure.
  */
 SharedBorders ShareBorders(double thickness, const StructureSets& allowed,

@@ -31,8 +31,8 @@ struct CurveEnd
   Index Curve;
 };
 
-/// The ends of curves along a border, turned so that both of each curve are neighbours. Empty if that
-/// is impossible.
+/// The ends of curves along a border, turned so that both of each curve are neighbours. Empty if
+/// that is impossible.
 std::vector<CurveEnd> OrderEnds(
   const std::vector<Index>& border, const std::vector<JunctionCurve>& curves)
 {
@@ -82,8 +82,8 @@ std::vector<Index> Canonical(std::vector<Index> border, bool& isReversed)
 }
 }
 
-/// Adds a part of a border, both ends included. The normals at its ends, where other sheets begin, are
-/// those of the points next to them.
+/// Adds a part of a border, both ends included. The normals at its ends, where other sheets begin,
+/// are those of the points next to them.
 void SheetBuilder::AddPath(const SheetBorder& border, Index from, Index to, Outline& outline) const
 {
   const Index size = static_cast<Index>(border.Points.size());
@@ -96,8 +96,8 @@ void SheetBuilder::AddPath(const SheetBorder& border, Index from, Index to, Outl
   }
 }
 
-/// Adds the points inside a curve, from one of its ends on. `beside` is a side of the sheet's own border
-/// next to it.
+/// Adds the points inside a curve, from one of its ends on. `beside` is a side of the sheet's own
+/// border next to it.
 void SheetBuilder::AddCurve(
   const JunctionCurve& curve, Index from, const CellEdge& beside, Outline& outline) const
 {
@@ -310,8 +310,8 @@ void SheetBuilder::MakeFan(const Outline& outline, Sheet& sheet)
   }
 }
 
-/// Adds a sheet to a patch. `corner` has the corners that its points have there; those that have none
-/// become points inside.
+/// Adds a sheet to a patch. `corner` has the corners that its points have there; those that have
+/// none become points inside.
 void SheetBuilder::Append(
   const Sheet& sheet, bool isReversed, std::map<Index, Index>& corner, InnerPatch& patch) const
 {

@@ -27,7 +27,8 @@ protected:
 using CellEdge = std::pair<Index, Index>;
 inline CellEdge CellEdgeOf(Index a, Index b) { return std::minmax(a, b); }
 
-/// A curve in which surfaces of structures meet within a cell, from a point on its boundary to another.
+/// A curve in which surfaces of structures meet within a cell, from a point on its boundary to
+/// another.
 struct JunctionCurve
 {
   Index First, Last;
@@ -53,11 +54,11 @@ struct SheetBorder
 };
 
 /**
- * Builds patches of borders on which curves begin and end that divide them into *sheets*. Each curve cuts
- * off the part of the border between its ends; what is left is a sheet, too. Sheets are smooth patches
- * between their part of the border and the curves, or fans around the middle of a curve where that
- * cannot be. Each is built once, so that it has the same triangles in all patches that it is part of,
- * whichever way their borders run.
+ * Builds patches of borders on which curves begin and end that divide them into *sheets*. Each
+ * curve cuts off the part of the border between its ends; what is left is a sheet, too. Sheets are
+ * smooth patches between their part of the border and the curves, or fans around the middle of a
+ * curve where that cannot be. Each is built once, so that it has the same triangles in all patches
+ * that it is part of, whichever way their borders run.
  */
 class SheetBuilder
 {
@@ -72,12 +73,12 @@ public:
   {
   }
 
-  /// The patch of a border with all curves that end on it. False if ends of others lie between the ends
-  /// of one.
+  /// The patch of a border with all curves that end on it. False if ends of others lie between the
+  /// ends of one.
   bool Build(
     const SheetBorder& border, const std::vector<JunctionCurve>& curves, InnerPatch& patch);
-  /// The patch of a border that curves from some of its points divide into sheets around the point where
-  /// they meet. False if there are less than two.
+  /// The patch of a border that curves from some of its points divide into sheets around the point
+  /// where they meet. False if there are less than two.
   bool Build(const SheetBorder& border, const JunctionStar& star, InnerPatch& patch);
 
 private:

@@ -12,7 +12,8 @@
 namespace orthoslices
 {
 /// Polygons in a plane, to which corners of other ones are moved that are close to them. Time is
-/// linear in the length of polygons by the reach, or by the mean length of their sides if that is more.
+/// linear in the length of polygons by the reach, or by the mean length of their sides if that is
+/// more.
 class SnapTarget
 {
 public:
@@ -25,8 +26,8 @@ public:
 
   void Add(const std::vector<Point2>& polygon);
 
-  /// Moves a point to the nearest corner within reach, or else to the nearest place of a side. False if it
-  /// stays where it is.
+  /// Moves a point to the nearest corner within reach, or else to the nearest place of a side.
+  /// False if it stays where it is.
   bool Snap(Point2& point) const;
 
 private:

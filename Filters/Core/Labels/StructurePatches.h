@@ -44,8 +44,8 @@ struct CellPatch
 /// Patches of a cell by their numbers, ascending.
 using PatchGroup = std::vector<Index>;
 
-/// The patches of all structures in one cell. Points have the same number in all of them if they are at
-/// the same place, to the last bit.
+/// The patches of all structures in one cell. Points have the same number in all of them if they
+/// are at the same place, to the last bit.
 class StructurePatches final : public CellPoints
 {
 public:
@@ -55,11 +55,11 @@ public:
   {
   }
 
-  /// Starts anew with the patches of these cycles. Borders that are the same become one patch of several
-  /// owners.
+  /// Starts anew with the patches of these cycles. Borders that are the same become one patch of
+  /// several owners.
   void Set(const std::vector<StructureCycle>& cycles);
-  /// The patch of several cycles gives way to one for each of them, once the patches are set again. False
-  /// if it has already.
+  /// The patch of several cycles gives way to one for each of them, once the patches are set again.
+  /// False if it has already.
   bool Break(const CellPatch& patch) { return this->Broken.insert(patch.Mesh).second; }
 
   /// Whether one of the cycles of a patch is all of the border of another patch.
@@ -73,8 +73,8 @@ public:
   std::vector<Index> BorderOf(const StructureCycle& cycle);
   /// The patches of which a side of a border is part, by that side.
   const std::map<CellEdge, PatchGroup>& Sides() const { return this->PatchesAt; }
-  /// The points of a border before which it is that of other patches than after them. None of a patch of
-  /// several cycles.
+  /// The points of a border before which it is that of other patches than after them. None of a
+  /// patch of several cycles.
   std::vector<Index> PartingPoints(Index patch) const;
 
   /// Patches of a group that touch. Triangles that several patches have count once.

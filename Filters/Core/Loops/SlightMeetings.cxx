@@ -14,8 +14,8 @@ namespace
 /// that.
 constexpr double MostInLobes = 0.25;
 
-/// Loops that are meant to meet make about one face more than there are loops where two cross. With so
-/// many more faces than twice the loops, noise has made them, whatever their areas.
+/// Loops that are meant to meet make about one face more than there are loops where two cross. With
+/// so many more faces than twice the loops, noise has made them, whatever their areas.
 constexpr Index MostFaces = 16;
 
 /// Whether a walk surrounds most once and in one direction, and the rest in little lobes.

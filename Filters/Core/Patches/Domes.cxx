@@ -24,8 +24,8 @@ constexpr double WeightOfLoop = 10.0;
 /**
  * What the last section encloses, as a part of the section before, from which the object ends flat.
  * A ball of radius R cut at distance h has at most (n - 1) / (2 n - 4) there, n = 2 R / h: 0.75 for
- * four slices, less for more; a cone has a quarter. A vessel that was cut off, or a bone that tapers,
- * has 0.93 to 0.96: a dome is closer to those. The rest is left for noise.
+ * four slices, less for more; a cone has a quarter. A vessel that was cut off, or a bone that
+ * tapers, has 0.93 to 0.96: a dome is closer to those. The rest is left for noise.
  */
 constexpr double MinShareOfFlatEnd = 0.98;
 
@@ -219,8 +219,8 @@ bool GoesOn(const CycleGeometry& geometry, const PatchMesh& patch)
     !std::all_of(patch.Cycles.begin(), patch.Cycles.end(), isAbove);
 }
 
-/// For each cycle, 1 if it is one of a lid: of a patch that ends the object on one side of a slice, while
-/// it goes on beyond the other side of one of the patch's loops.
+/// For each cycle, 1 if it is one of a lid: of a patch that ends the object on one side of a slice,
+/// while it goes on beyond the other side of one of the patch's loops.
 std::vector<std::uint8_t> FindLids(
   const CycleGeometry& geometry, const std::vector<PatchMesh>& stitched)
 {

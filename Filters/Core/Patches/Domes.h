@@ -40,9 +40,9 @@ void FlattenEnds(const CycleGeometry& geometry, std::vector<PatchMesh>& stitched
   std::vector<double>& centralPoints);
 
 /**
- * Flattens all patches that end an object of one family of slices on one side of a slice, beyond the
- * last ones and between two: as FlattenEnds does it, whatever the sections are. What ends on both
- * sides of its only slice keeps its domes, as there would be nothing between two flat ends.
+ * Flattens all patches that end an object of one family of slices on one side of a slice, beyond
+ * the last ones and between two: as FlattenEnds does it, whatever the sections are. What ends on
+ * both sides of its only slice keeps its domes, as there would be nothing between two flat ends.
  */
 void FlattenLids(const CycleGeometry& geometry, std::vector<PatchMesh>& stitched,
   std::vector<double>& centralPoints);

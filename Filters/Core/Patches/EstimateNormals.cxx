@@ -14,8 +14,8 @@ namespace orthoslices
 {
 namespace
 {
-/// A contour that is cut into arcs, in true coordinates (SliceMetric): its points in G, in order from a
-/// crossing.
+/// A contour that is cut into arcs, in true coordinates (SliceMetric): its points in G, in order
+/// from a crossing.
 struct ArcRing
 {
   ContourRing Contour;

@@ -49,8 +49,9 @@ namespace
 /// are many for each thread.
 constexpr std::size_t BlockSize = 256;
 
-/// Mean radii of a patch for one of EdgeLength, where these are measured in patches: that of a square
-/// as wide as slices are apart is 0.58 of that, so that the default makes sides of about half its width.
+/// Mean radii of a patch for one of EdgeLength, where these are measured in patches: that of a
+/// square as wide as slices are apart is 0.58 of that, so that the default makes sides of about
+/// half its width.
 constexpr double RadiiOfEdge = 4.0;
 
 /// What filling a polygon takes, and the memory for it, reused from one polygon to the next.

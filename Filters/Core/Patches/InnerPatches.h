@@ -57,14 +57,16 @@ struct PatchOptions
   double EdgeLength = 0.25;                ///< of triangles inside patches, in mean plane spacings
   double ChordTolerance = 0.0;             ///< in mean plane spacings; see PatchResolution
   /**
-   * With few triangles, how far contours may be from the surface, in mean spacings of the planes across
-   * their slices: see LightenArcs, SmoothPatchBuilder and ImproveSurface. Then EdgeLength is measured in
-   * quarters of a patch's mean radius. 0: contours keep their vertices. For PatchMethod::Smooth.
+   * With few triangles, how far contours may be from the surface, in mean spacings of the planes
+   * across their slices: see LightenArcs, SmoothPatchBuilder and ImproveSurface. Then EdgeLength is
+   * measured in quarters of a patch's mean radius. 0: contours keep their vertices. For
+   * PatchMethod::Smooth.
    */
   double Accuracy = 0.0;
   /// Accuracy follows from the error of the surface, as FitError estimates it.
   bool OwnAccuracy = false;
-  /// Patches of structures that were made before: taken over where borders are the same, and added to.
+  /// Patches of structures that were made before: taken over where borders are the same, and added
+  /// to.
   SharedPatches* Shared = nullptr;
 };
 
@@ -111,9 +113,9 @@ struct PatchTables
 };
 
 /**
- * How far contours lie off surfaces without creases that are fitted to each patch, RMS of at most a few
- * hundred patches, in world units: about as far as the smooth patches are from the object between its
- * contours. 0 if there are no patches that tell.
+ * How far contours lie off surfaces without creases that are fitted to each patch, RMS of at most a
+ * few hundred patches, in world units: about as far as the smooth patches are from the object
+ * between its contours. 0 if there are no patches that tell.
  */
 double FitError(const PatchTables& tables);
 

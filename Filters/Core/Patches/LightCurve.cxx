@@ -13,8 +13,8 @@ namespace orthoslices
 {
 namespace
 {
-/// How many equal sides are tried: more are needed only where a curve has corners or noise, for which
-/// MarkKept finds the better vertices.
+/// How many equal sides are tried: more are needed only where a curve has corners or noise, for
+/// which MarkKept finds the better vertices.
 constexpr int MaxEqualSides = 8;
 
 /// A parabola has two thirds of its height as mean distance from its chord.

@@ -13,8 +13,8 @@ namespace orthoslices
 struct CurveDeviation
 {
   double Farthest = 0.0; ///< the greatest distance of a vertex from the side
-  /// The height of a parabola over the side with the same mean distance from it; positive on the right,
-  /// seen in the direction of the curve.
+  /// The height of a parabola over the side with the same mean distance from it; positive on the
+  /// right, seen in the direction of the curve.
   double Height = 0.0;
 };
 
@@ -26,8 +26,8 @@ struct CurvePlace
   Point2 Place{};
 };
 
-/// A curve in the plane with fewer vertices: places on the curve, the first and the last among them, and
-/// the deviations of the sides between them.
+/// A curve in the plane with fewer vertices: places on the curve, the first and the last among
+/// them, and the deviations of the sides between them.
 struct LightCurve
 {
   std::vector<CurvePlace> Places;
@@ -35,9 +35,9 @@ struct LightCurve
 };
 
 /**
- * Draws a curve with as few sides as keep all of its vertices within `tolerance`: sides of equal length
- * where that takes no more of them, so that triangles beside them can be well shaped; else vertices that
- * MarkKept keeps.
+ * Draws a curve with as few sides as keep all of its vertices within `tolerance`: sides of equal
+ * length where that takes no more of them, so that triangles beside them can be well shaped; else
+ * vertices that MarkKept keeps.
  */
 LightCurve LightenCurve(const std::vector<Point2>& curve, double tolerance);
 }

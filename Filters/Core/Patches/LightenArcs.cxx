@@ -14,22 +14,22 @@ namespace orthoslices
 {
 namespace
 {
-/// The height over a side from which on the curve is no smooth piece, whose sides would be balanced by
-/// moving their ends, as a share of the side's length: a third of a circle has 0.29.
+/// The height over a side from which on the curve is no smooth piece, whose sides would be balanced
+/// by moving their ends, as a share of the side's length: a third of a circle has 0.29.
 constexpr double MaxHeight = 0.25;
 
 /// The share of the room beside it that a node point may take on its edge when it moves.
 constexpr double ShareOfRoom = 0.25;
 
-/// Added to squared cosines of angles between the surface's normal and an edge of M, so that nodes on
-/// edges that run along the surface do not move far.
+/// Added to squared cosines of angles between the surface's normal and an edge of M, so that nodes
+/// on edges that run along the surface do not move far.
 constexpr double LeastSquaredCosine = 0.05;
 
 /// Faster than hypot, whose care for very large and small numbers is not needed.
 double Span(const Point2& a, const Point2& b) { return std::sqrt(SquaredDistance(a, b)); }
 
-/// How far the end of two sides is to move to the right, so that both leave as much on one side as on the
-/// other; not where one of them replaces a corner.
+/// How far the end of two sides is to move to the right, so that both leave as much on one side as
+/// on the other; not where one of them replaces a corner.
 double BalanceOf(const CurveDeviation& before, double lengthBefore, const CurveDeviation& after,
   double lengthAfter)
 {
@@ -48,7 +48,8 @@ Point2 RightAt(const Point2& before, const Point2& here, const Point2& after)
   return length > 0.0 ? Point2{ along[1] / length, -along[0] / length } : Point2{ 0.0, 0.0 };
 }
 
-/// The vertices of an arc between its nodes, and how far the contour bulges over the sides at its ends.
+/// The vertices of an arc between its nodes, and how far the contour bulges over the sides at its
+/// ends.
 struct ArcDrawing
 {
   std::vector<Point3> Vertices;
@@ -198,8 +199,8 @@ double ArcLightener::RoomBeside(Index node, const GridEdge& edge) const
   return ShareOfRoom * std::max(0.0, std::min(here - low, high - here));
 }
 
-/// How far a node point is to move along its edge, so that the surface around it lies as much outside
-/// of the sides of its arcs as inside.
+/// How far a node point is to move along its edge, so that the surface around it lies as much
+/// outside of the sides of its arcs as inside.
 double ArcLightener::MoveAlong(Index node, const std::vector<ArcDrawing>& arcs) const
 {
   if (this->IsCorner(node))

@@ -37,11 +37,12 @@ struct ArcSurface
  * surface lies as much outside of the contours as inside, and is as accurate with a third of the
  * triangles.
  *
- * `accuracy` is the tolerance as a share of MeanSpacingInSlices of each slice: no vertex of a contour is
- * farther from the arcs in its plane. Corners of contours stay. Node points stay on their edges, in
- * their order. Arcs around patches of several cycles, or in cells with several patches, and loops keep
- * all vertices, as these patches are known to be apart as they are; so do faces whose arcs would cross.
- * Arcs are embedded in their faces, and both patches beside an arc have what is left of it: no cracks.
+ * `accuracy` is the tolerance as a share of MeanSpacingInSlices of each slice: no vertex of a
+ * contour is farther from the arcs in its plane. Corners of contours stay. Node points stay on
+ * their edges, in their order. Arcs around patches of several cycles, or in cells with several
+ * patches, and loops keep all vertices, as these patches are known to be apart as they are; so do
+ * faces whose arcs would cross. Arcs are embedded in their faces, and both patches beside an arc
+ * have what is left of it: no cracks.
  */
 LightGraph LightenArcs(const ArcSurface& surface, double accuracy, const Execution& execution);
 }

@@ -43,8 +43,8 @@ public:
   const std::vector<Point3>& Normals() const { return this->LocalNormals; }
   /// The border in the plane, counter-clockwise if it can be seen as a whole.
   const std::vector<Point2>& Border() const { return this->Projected; }
-  /// The corners of the triangles on the border, seen likewise: those of the border, or of the outline
-  /// that was set after it.
+  /// The corners of the triangles on the border, seen likewise: those of the border, or of the
+  /// outline that was set after it.
   const std::vector<Point2>& Outline() const { return this->ProjectedOutline; }
   void SetOutline(const PatchBorder* outline);
   double Radius() const { return this->Unit; }

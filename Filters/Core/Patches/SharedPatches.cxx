@@ -41,7 +41,8 @@ std::uint64_t HashOf(const std::vector<Point3>& border)
   return hash;
 }
 
-/// The same surface seen from the other side, with its border run the other way from the same point.
+/// The same surface seen from the other side, with its border run the other way from the same
+/// point.
 void Reverse(Index size, InnerPatch& patch)
 {
   for (Point3& normal : patch.Normals)
@@ -58,7 +59,8 @@ void Reverse(Index size, InnerPatch& patch)
   }
 }
 
-/// Whether the points of a patch are inside the room, and no side but those of the border on a face.
+/// Whether the points of a patch are inside the room, and no side but those of the border on a
+/// face.
 bool FitsIn(const PatchBorder& border, const InnerPatch& patch)
 {
   for (const Point3& point : patch.Points)

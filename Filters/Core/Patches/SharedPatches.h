@@ -13,18 +13,18 @@ namespace orthoslices
 {
 /**
  * Patches of structures that were made before, by their borders, so that structures beside them
- * have the same patches where they have the same borders (our own addition). A border is the same if
- * its points are, to the last bit, wherever it starts and whichever way it runs: that of a structure
- * on the other side runs the other way.
+ * have the same patches where they have the same borders (our own addition). A border is the same
+ * if its points are, to the last bit, wherever it starts and whichever way it runs: that of a
+ * structure on the other side runs the other way.
  */
 class SharedPatches
 {
 public:
   /**
-   * The patch of a border, with its triangles and normals on the side where the border has them. False
-   * if no structure had that border, or if its patch is none for this cell: a point of it is not
-   * inside the room, or a side on a face. REQUIRES: the border was turned (PatchBorder::Turn), as
-   * for Add.
+   * The patch of a border, with its triangles and normals on the side where the border has them.
+   * False if no structure had that border, or if its patch is none for this cell: a point of it is
+   * not inside the room, or a side on a face. REQUIRES: the border was turned (PatchBorder::Turn),
+   * as for Add.
    */
   bool Find(const PatchBorder& border, InnerPatch& patch) const;
 

@@ -8,14 +8,14 @@
 namespace orthoslices
 {
 /**
- * Lengths and angles within the slices across an axis and against them, where families are not at right
- * angles to each other: *true* coordinates of points and vectors, in which lengths and angles are
- * those of the world. The first two are within the slice, the third is along its unit normal; they are
- * written where those along FirstAxis, SecondAxis and the axis of the slices are. Where the metric is
- * that of the world, they are the same, bit for bit.
+ * Lengths and angles within the slices across an axis and against them, where families are not at
+ * right angles to each other: *true* coordinates of points and vectors, in which lengths and angles
+ * are those of the world. The first two are within the slice, the third is along its unit normal;
+ * they are written where those along FirstAxis, SecondAxis and the axis of the slices are. Where
+ * the metric is that of the world, they are the same, bit for bit.
  *
- * A *normal* is what is at right angles to the tangents of a surface, of any length; along the axes as in
- * true coordinates.
+ * A *normal* is what is at right angles to the tangents of a surface, of any length; along the axes
+ * as in true coordinates.
  */
 class SliceMetric
 {

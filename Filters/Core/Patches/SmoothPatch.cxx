@@ -23,10 +23,10 @@ constexpr double MinSide = 1e-3;
 /// The same where triangles are to be few: what is beside short sides is improved afterwards.
 constexpr double MinLightSide = 0.3;
 
-/// The height of the surface over the sides of triangles inside a patch, by the accuracy that is asked
-/// for. As their ends are moved out by the mean height, less than half of it is left beside any place.
-/// With a third less or more, the RMS error of twelve shapes at 32 planes per axis changes by 1 %, and the
-/// number of triangles by 5 %.
+/// The height of the surface over the sides of triangles inside a patch, by the accuracy that is
+/// asked for. As their ends are moved out by the mean height, less than half of it is left beside
+/// any place. With a third less or more, the RMS error of twelve shapes at 32 planes per axis
+/// changes by 1 %, and the number of triangles by 5 %.
 constexpr double HeightByAccuracy = 0.6;
 
 /// How far zeros may lie from the middle of the border, or from its heights. The top of a
@@ -256,8 +256,8 @@ bool SmoothPatchBuilder::Triangulate(const PatchBorder& border, const PatchBorde
   return true;
 }
 
-/// Moves the points inside a patch with few triangles to the side to which the surface bulges, by the
-/// mean height of the surface over the sides that meet there.
+/// Moves the points inside a patch with few triangles to the side to which the surface bulges, by
+/// the mean height of the surface over the sides that meet there.
 void SmoothPatchBuilder::Balance(const PatchBorder& outline, InnerPatch& patch) const
 {
   std::vector<double> sums(patch.Points.size(), 0.0), counts(patch.Points.size(), 0.0);

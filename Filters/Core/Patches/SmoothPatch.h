@@ -16,8 +16,8 @@ struct PatchResolution
   /// Greatest distance of a side's middle from the surface, in world units; 0 for any. Then sides
   /// are as short as that asks, EdgeLength at most.
   double ChordTolerance = 0.0;
-  /// See PatchOptions. If it is not 0, it takes the place of ChordTolerance, and EdgeLength is a share
-  /// of each patch's mean radius.
+  /// See PatchOptions. If it is not 0, it takes the place of ChordTolerance, and EdgeLength is a
+  /// share of each patch's mean radius.
   double Accuracy = 0.0;
 };
 
@@ -44,8 +44,8 @@ public:
   {
     return this->Build(border, border, patch);
   }
-  /// The same, with triangles whose corners on the border are those of another one, `outline`, which
-  /// may have fewer points.
+  /// The same, with triangles whose corners on the border are those of another one, `outline`,
+  /// which may have fewer points.
   bool Build(const PatchBorder& border, const PatchBorder& outline, InnerPatch& patch);
   /// How far the border of the last patch lies off a surface without creases, in world units.
   double Deviation() const { return this->View.Radius() * this->Surface.Deviation(); }

@@ -40,8 +40,8 @@ bool AreInLine(const Point2& a, const Point2& b, const Point2& c, double toleran
     (tolerance > 0.0 || SideOf(a, b, c) == 0);
 }
 
-/// Whether all vertices lie on one line, or no farther from it than the tolerance. Of most loops a few
-/// vertices show that they do not.
+/// Whether all vertices lie on one line, or no farther from it than the tolerance. Of most loops a
+/// few vertices show that they do not.
 bool IsStraight(const LoopView& loop, double tolerance)
 {
   const Point2 first = loop[0];

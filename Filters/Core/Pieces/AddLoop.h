@@ -6,8 +6,8 @@
 #include "Core/Base/Contours.h"
 
 /**
- * Adds a loop to contours vertex by vertex. The one that is being added has the vertices after the last
- * of Contours::Offsets; it becomes a contour when its end, its axis and so on are appended.
+ * Adds a loop to contours vertex by vertex. The one that is being added has the vertices after the
+ * last of Contours::Offsets; it becomes a contour when its end, its axis and so on are appended.
  */
 namespace orthoslices
 {
@@ -22,8 +22,8 @@ enum class LoopState
        ///< the way it came
 };
 
-/// Takes repetitions of its first vertex from the end of the loop, and says what it is. Flat loops are
-/// good unless they are asked for.
+/// Takes repetitions of its first vertex from the end of the loop, and says what it is. Flat loops
+/// are good unless they are asked for.
 LoopState CheckLoop(bool alsoFlat, double tolerance, Contours& contours);
 
 /// Gives up the loop.

@@ -14,8 +14,9 @@ namespace orthoslices
 {
 namespace
 {
-/// A piece whose ends are near to each other may have run past its start by this share of its length. If
-/// it crosses itself farther from its ends, it is a figure eight, and both parts of it count.
+/// A piece whose ends are near to each other may have run past its start by this share of its
+/// length. If it crosses itself farther from its ends, it is a figure eight, and both parts of it
+/// count.
 constexpr double OverrunOfComplete = 0.15;
 
 /// Makes contours of the pieces of one axis.
@@ -196,7 +197,8 @@ double SetAssembler::LengthOf(Index piece) const
   return length;
 }
 
-/// Reports the vertex that was moved farthest, if the tolerance does not allow it to be where it was.
+/// Reports the vertex that was moved farthest, if the tolerance does not allow it to be where it
+/// was.
 void SetAssembler::ReportShift(const PieceChains& chains, Index chain)
 {
   PlaneShift farthest;
@@ -247,8 +249,8 @@ bool SetAssembler::CopyCurve(const PieceChains& chains, Index chain, OpenCurve& 
   return true;
 }
 
-/// Closes an open chain, or says that it is open. With Mend, returns true if that is still to be done,
-/// and the curve.
+/// Closes an open chain, or says that it is open. With Mend, returns true if that is still to be
+/// done, and the curve.
 bool SetAssembler::TreatOpen(const PieceChains& chains, Index chain, OpenCurve& curve)
 {
   const PieceChains::Link& first = chains.Links[chains.Offsets[chain]];

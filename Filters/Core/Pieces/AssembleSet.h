@@ -9,9 +9,9 @@
 namespace orthoslices
 {
 /**
- * Appends the contours of one axis that need nothing, or no more than being moved onto their plane, in
- * the order of their first pieces. With Mend, returns the curves with loose ends, and those that were
- * trimmed to loops; see AssembleContours.
+ * Appends the contours of one axis that need nothing, or no more than being moved onto their plane,
+ * in the order of their first pieces. With Mend, returns the curves with loose ends, and those that
+ * were trimmed to loops; see AssembleContours.
  */
 std::vector<OpenCurve> AssembleSet(
   Pieces&& pieces, const AssembleSettings& settings, Contours& contours, PieceProblems& problems);

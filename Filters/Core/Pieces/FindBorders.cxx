@@ -9,8 +9,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Ends at one side agree to this share of the extent of the contours: what rounding to three digits
-/// leaves.
+/// Ends at one side agree to this share of the extent of the contours: what rounding to three
+/// digits leaves.
 constexpr double AgreementShare = 1e-3;
 /// So many ends make a side: those of a single contour.
 constexpr int FewestEnds = 2;
@@ -60,8 +60,8 @@ public:
   {
   }
 
-  /// The side with most ends first; ends of this axis that lie at it say nothing of others, for they may
-  /// well reach farthest along the other direction, too.
+  /// The side with most ends first; ends of this axis that lie at it say nothing of others, for
+  /// they may well reach farthest along the other direction, too.
   void Run()
   {
     for (int side = this->FindNext(); side >= 0; side = this->FindNext())

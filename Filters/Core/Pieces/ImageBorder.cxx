@@ -123,8 +123,8 @@ std::vector<BorderEnd> ListEnds(const BorderWay& way, const std::vector<OpenCurv
   return ends;
 }
 
-/// Whether the parts of the border that begin at the ends with even numbers are inside (0), or those
-/// at odd ones (1).
+/// Whether the parts of the border that begin at the ends with even numbers are inside (0), or
+/// those at odd ones (1).
 std::size_t ChooseInside(const BorderWay& way, const std::vector<BorderEnd>& ends)
 {
   std::array<std::pair<double, double>, 2> cost{};

@@ -21,8 +21,8 @@ inline int DirectionOf(int side) { return side % 2 == 0 ? 1 : 0; }
 inline int WhichOf(int side) { return side == 1 || side == 2 ? 1 : 0; }
 
 /**
- * The border of the image, of which the slices of one axis show a rectangle. Its sides are u = const
- * and v = const; where no contour ends at a side, it is where the contours reach farthest.
+ * The border of the image, of which the slices of one axis show a rectangle. Its sides are u =
+ * const and v = const; where no contour ends at a side, it is where the contours reach farthest.
  */
 struct ImageBorder
 {
@@ -39,7 +39,8 @@ struct ImageBorder
   /// counter-clockwise; -1 if there is none.
   int SideOfEnd(const Point2& end, double distance) const;
   bool IsOnBorder(const Point2& end) const { return this->SideOfEnd(end, this->Tolerance) >= 0; }
-  /// Whether both ends of a curve lie at the border: at most as far from it as its points are apart.
+  /// Whether both ends of a curve lie at the border: at most as far from it as its points are
+  /// apart.
   bool EndsAtBorder(const OpenCurve& curve) const;
 };
 
@@ -51,10 +52,10 @@ struct BorderLoop
 };
 
 /**
- * Closes curves of one slice, all of which begin and end at the border, along it. Curves that do not
- * cross divide the rectangle into regions, and going round it one is inside and outside in turn. Of the
- * two possibilities that is chosen which keeps to the sides that were found: at the others no contour
- * ends; then the one with the shorter way along the border.
+ * Closes curves of one slice, all of which begin and end at the border, along it. Curves that do
+ * not cross divide the rectangle into regions, and going round it one is inside and outside in
+ * turn. Of the two possibilities that is chosen which keeps to the sides that were found: at the
+ * others no contour ends; then the one with the shorter way along the border.
  */
 std::vector<BorderLoop> CloseAlongBorder(
   const ImageBorder& border, const std::vector<OpenCurve>& curves);

@@ -35,7 +35,8 @@ private:
   bool Same(Index a, Index b) const;
   std::uint64_t Hash(Index vertex) const;
 
-  /// Whether a piece has ends to be joined. One of a single point has no direction, and joins nothing.
+  /// Whether a piece has ends to be joined. One of a single point has no direction, and joins
+  /// nothing.
   bool IsLoose(Index piece) const
   {
     return !this->Input.Closed[piece] && this->IsFree[piece] &&

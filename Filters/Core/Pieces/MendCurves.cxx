@@ -20,8 +20,8 @@ Point3 WorldOf(const OpenCurve& curve, const Point2& point)
   return world;
 }
 
-/// The greatest mean distance of the slices that have open curves, of any axis; with one slice each, a
-/// tenth of what the contours reach. REQUIRES: sorted curves.
+/// The greatest mean distance of the slices that have open curves, of any axis; with one slice
+/// each, a tenth of what the contours reach. REQUIRES: sorted curves.
 double FindSpacing(const std::vector<OpenCurve>& curves, const std::array<ImageBorder, 3>& borders)
 {
   double spacing = 0.0, extent = 0.0;

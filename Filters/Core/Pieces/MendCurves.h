@@ -19,11 +19,11 @@ struct MendedCurves
 
 /**
  * Makes loops of curves with loose ends, of all axes. Of what is no loop yet, in this order:
- *  - gaps that are short against the curves are closed (CloseGaps), but not between ends on the border,
- *    and overlaps trimmed;
+ *  - gaps that are short against the curves are closed (CloseGaps), but not between ends on the
+ *    border, and overlaps trimmed;
  *  - curves that end at the border are closed along it (CloseAlongBorder), or refused; with
- *    BorderContours::LeaveOpen they go on across it for the distance of slices before they are closed,
- *    so that the surface can be cut off there;
+ *    BorderContours::LeaveOpen they go on across it for the distance of slices before they are
+ *    closed, so that the surface can be cut off there;
  *  - the gaps that are left are closed, also between ends on the border.
  * What is still open is left out. Planes nearer to each other than `tolerance` are one.
  *

@@ -14,8 +14,8 @@ namespace
 constexpr double LittleShare = 0.1;
 
 /// How far from the median of a piece with noise its slice may lie, in terms of the greatest noise:
-/// other pieces of the slice are off on the other side, and some of them by more than their noise, as
-/// pieces that have lost points do not show all of it.
+/// other pieces of the slice are off on the other side, and some of them by more than their noise,
+/// as pieces that have lost points do not show all of it.
 constexpr double NoiseReach = 3.0;
 
 /// The plane of a piece, and how far its vertices are off it at most.
@@ -84,8 +84,8 @@ double CoordinateOf(const std::vector<PiecePlane>& members)
   return values[(values.size() - 1) / 2];
 }
 
-/// The slices if noise up to `most` is noise, and pieces with more of it say nothing: intervals in which
-/// the slices of the pieces lie are taken together where they meet.
+/// The slices if noise up to `most` is noise, and pieces with more of it say nothing: intervals in
+/// which the slices of the pieces lie are taken together where they meet.
 std::vector<double> FindSlices(const std::vector<PiecePlane>& planes, double most)
 {
   const auto radius = [most](const PiecePlane& plane)
@@ -116,8 +116,8 @@ std::vector<double> FindSlices(const std::vector<PiecePlane>& planes, double mos
   return slices;
 }
 
-/// How far vertices may be off, with these slices. If the noise of all pieces is more than little, there
-/// are none, and nothing is known.
+/// How far vertices may be off, with these slices. If the noise of all pieces is more than little,
+/// there are none, and nothing is known.
 double AllowedDistance(const std::vector<double>& slices, double tolerance, double alone)
 {
   if (slices.empty())

@@ -19,8 +19,8 @@ struct PlaneShift
 
 /**
  * Moves vertices that lie a little off their plane onto it: files are rounded, frames are turned,
- * and points are drawn by hand. Returns the shift of each piece; nothing if all pieces are planar to
- * within `tolerance`, or if none is but for more than little noise, and then nothing is moved.
+ * and points are drawn by hand. Returns the shift of each piece; nothing if all pieces are planar
+ * to within `tolerance`, or if none is but for more than little noise, and then nothing is moved.
  *
  *  - A piece lies on the plane of the median of its vertices; how far the others are off is its
  *    noise. Pieces whose planes are nearer to each other than a few times that are of one slice;

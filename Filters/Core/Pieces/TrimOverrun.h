@@ -15,8 +15,8 @@ namespace orthoslices
  */
 bool TrimOverrun(OpenCurve& curve);
 
-/// The same between two curves, where the last part of one runs past the start of the next. Returns the
-/// length of what was trimmed of both.
+/// The same between two curves, where the last part of one runs past the start of the next. Returns
+/// the length of what was trimmed of both.
 double TrimOverlap(std::vector<Point2>& curve, std::vector<Point2>& next);
 }
 

@@ -147,8 +147,8 @@ bool VertexInserter::AreLoopsSimple(const std::vector<Index>& loops) const
   return AreSimple(curves);
 }
 
-/// Whether no two sides of triangles of an overlay have become one, as where a new vertex lies on an old
-/// one, once rounded, and both have an edge to the same third one.
+/// Whether no two sides of triangles of an overlay have become one, as where a new vertex lies on
+/// an old one, once rounded, and both have an edge to the same third one.
 bool VertexInserter::KeepsEdges(std::size_t group) const
 {
   const SlabGroup& members = this->Groups[group];
@@ -190,8 +190,8 @@ bool VertexInserter::KeepsEdges(std::size_t group) const
   return std::adjacent_find(sides.begin(), sides.end()) == sides.end();
 }
 
-/// Gives up the overlays whose triangles would meet in edges that they do not share. Returns whether
-/// there are any.
+/// Gives up the overlays whose triangles would meet in edges that they do not share. Returns
+/// whether there are any.
 bool VertexInserter::LeaveOutCollapsed()
 {
   std::vector<std::uint8_t> isCollapsed(this->Groups.size(), 0);

@@ -22,8 +22,8 @@ struct StitchedLoops
 
 /**
  * Inserts the vertices of all overlays. A new vertex, once rounded, lies beside its segment and may
- * lie on another one: the overlays beside slices on which loops touch are given up (Valid = false), and
- * those in which rounding has made one vertex of two so that four triangles meet at an edge.
+ * lie on another one: the overlays beside slices on which loops touch are given up (Valid = false),
+ * and those in which rounding has made one vertex of two so that four triangles meet at an edge.
  */
 StitchedLoops InsertVertices(const CycleGeometry& geometry, int axis, const Execution& execution,
   std::vector<SlabGroup>& groups);

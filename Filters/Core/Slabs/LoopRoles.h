@@ -28,7 +28,8 @@ public:
   /// The smallest loop of its slice around a loop; -1 without.
   Index ParentOf(Index member) const { return this->Nesting[member]; }
 
-  /// The smallest loop of the other slice around a loop that crosses none of that slice; -1 without.
+  /// The smallest loop of the other slice around a loop that crosses none of that slice; -1
+  /// without.
   Index FindAround(Index member) const;
   /// Those of the members on a slice that are directly inside one of them, or, for -1, in none.
   Members ChildrenOf(Index parent, const Members& members, bool upper) const;

@@ -60,7 +60,8 @@ std::vector<Index> OverlayGraph::LoopsAt(bool upper) const
   return loops;
 }
 
-/// Lists the crossing of two segments, if they cross. Returns false if the segments touch without crossing.
+/// Lists the crossing of two segments, if they cross. Returns false if the segments touch without
+/// crossing.
 bool OverlayGraph::AddCrossing(const std::array<Index, 2>& lower, const std::array<Index, 2>& upper)
 {
   const Point2& p = this->Places[lower[0]];

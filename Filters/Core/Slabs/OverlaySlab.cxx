@@ -16,8 +16,8 @@ namespace orthoslices
 namespace
 {
 /// Displacements of the upper loops that are tried one after another, as shares of the extent of
-/// all loops. Contours of voxel data, or of a prism, have vertices and segments in common with those
-/// of the next slice; they have none after a displacement in a direction that is none of the
+/// all loops. Contours of voxel data, or of a prism, have vertices and segments in common with
+/// those of the next slice; they have none after a displacement in a direction that is none of the
 /// grid's. So the digits are of irrational numbers (the golden ratio, e, pi, the square roots of 3,
 /// 2 and 5). The sizes are far above rounding, some 1e-16, and far below the detail of contours.
 constexpr std::array<Point2, 3> Displacements{ { { 0.6180339887e-7, 0.2718281828e-7 },

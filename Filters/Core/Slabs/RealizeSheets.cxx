@@ -14,10 +14,10 @@ namespace orthoslices
 {
 namespace
 {
-/// Own points of an overlay lie at half height. A sheet inside another one must stay farther from it:
-/// lower where the solid ends between the slices, higher where it begins. Tried one after another:
-/// the height of the outermost sheet, and what it is multiplied by for each loop of the plan around
-/// a sheet.
+/// Own points of an overlay lie at half height. A sheet inside another one must stay farther from
+/// it: lower where the solid ends between the slices, higher where it begins. Tried one after
+/// another: the height of the outermost sheet, and what it is multiplied by for each loop of the
+/// plan around a sheet.
 struct SheetHeights
 {
   double Outermost, Share;
@@ -184,7 +184,8 @@ bool SheetMaker::AreApart(const Groups& groups) const
   return FindContacts(triangles, kinds).empty();
 }
 
-/// Puts the overlay's own points at a distance from the slice in which there is a solid beside them.
+/// Puts the overlay's own points at a distance from the slice in which there is a solid beside
+/// them.
 void SetHeight(double height, SlabOverlay& overlay)
 {
   for (std::size_t i = 0; i < overlay.Points.size(); ++i)

@@ -30,8 +30,9 @@ constexpr double Pi = 3.14159265358979323846;
 /// radii of circles of their areas: then the gap between them is no wider than they are themselves.
 constexpr double MaxRadiiApart = 2.0;
 
-/// And if the line between the middles is no farther from the axis: by its tangent, for parts of the
-/// solid (76 degrees) and for holes (65 degrees), which make a handle and so need more evidence.
+/// And if the line between the middles is no farther from the axis: by its tangent, for parts of
+/// the solid (76 degrees) and for holes (65 degrees), which make a handle and so need more
+/// evidence.
 constexpr double MaxSlopeOfPart = 4.0, MaxSlopeOfHole = 2.14;
 
 /// And if one has at most so many times the area of the other, twice its radius.

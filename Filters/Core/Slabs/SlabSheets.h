@@ -25,11 +25,11 @@ struct SheetPlan
 };
 
 /**
- * Where contours correspond by their role: outer contours continue outer ones, holes continue holes.
- * The overlay of a thin wall that moves by more than its thickness from one slice to the next makes
- * tunnels through it, or two rings of it that end; a thin plate gets handles. Looked at are pieces
- * of the overlay that have handles, or that join an outer contour and a hole, with all contours of
- * the regions that these bound:
+ * Where contours correspond by their role: outer contours continue outer ones, holes continue
+ * holes. The overlay of a thin wall that moves by more than its thickness from one slice to the
+ * next makes tunnels through it, or two rings of it that end; a thin plate gets handles. Looked at
+ * are pieces of the overlay that have handles, or that join an outer contour and a hole, with all
+ * contours of the regions that these bound:
  *
  * - contours that are nested in the same way on both slices continue one another one to one;
  * - otherwise those of one depth of nesting continue together, and what is left over ends.
@@ -41,7 +41,8 @@ struct SheetPlan
  * lies above itself, and does not do so better after moving one of the slices. So sheets of holes
  * and of outer contours part only where less than half of the solid lies above itself.
  *
- * A plan is no promise: see RealizeSheets. `width` is that of the slab. REQUIRES: the overlay of the group is valid.
+ * A plan is no promise: see RealizeSheets. `width` is that of the slab. REQUIRES: the overlay of
+ * the group is valid.
  */
 std::vector<SheetPlan> PlanSheets(const SlabGroup& group, double width);
 }

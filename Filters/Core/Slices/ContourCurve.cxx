@@ -235,8 +235,8 @@ void MeasuredCurve::Set(std::vector<Point2>&& points, double spacing, double cor
   this->Curve.FindCorners(spacing, 0.0, cornerAngle);
   if (this->Curve.HasCorners())
   {
-    // The corners of a polygon with few vertices look like noise, and noise looks like corners: they
-    // are corners if little noise is left between them.
+    // The corners of a polygon with few vertices look like noise, and noise looks like corners:
+    // they are corners if little noise is left between them.
     constexpr double explained = 0.1;
     const double betweenCorners = this->Curve.FindNoise(noiseWindow * spacing);
     if (betweenCorners <= explained * this->Noise)

@@ -32,9 +32,9 @@ public:
 
   /**
    * Marks the corners: points at which the directions to and from the points that are a little way
-   * off differ by more than the angle (radians) and what noise can do, and by more than at the other
-   * points so near. How far off, depends on the noise, and is a share of the spacing of the planes
-   * at least.
+   * off differ by more than the angle (radians) and what noise can do, and by more than at the
+   * other points so near. How far off, depends on the noise, and is a share of the spacing of the
+   * planes at least.
    */
   void FindCorners(double spacing, double noise, double angle);
   bool IsCorner(Index i) const { return !this->Corners.empty() && this->Corners[i] != 0; }
@@ -50,9 +50,9 @@ public:
     Point2 Tangent;  ///< of unit length, in the curve's direction; zero if there is none
     double Residual; ///< root mean square distance of the points from the fit
   };
-  /// The curve around a point, up to `window` of length before and after it (0.3 of the whole length
-  /// at most) or to the next corners. Two points on each side are taken at least, if there are five,
-  /// and fewer terms if there are few.
+  /// The curve around a point, up to `window` of length before and after it (0.3 of the whole
+  /// length at most) or to the next corners. Two points on each side are taken at least, if there
+  /// are five, and fewer terms if there are few.
   Fit FitAt(Index i, double window) const;
 
 private:

@@ -11,12 +11,12 @@
 namespace orthoslices
 {
 /**
- * Adds planes to a grid on which there are no contours, but those of other structures, so that cells
- * are the same for all (our own addition). Of the planes beside all contours, that is the next one on
- * each side; of those between them, all through which no contour of another axis passes. Without
- * contours of other axes nobody knows that, and none of those is added. If the grid has virtual planes,
- * these are virtual, too, and all are added: whatever real slices show there is more than what they do.
- * Sets Contours::Plane. `planes` ascend on each axis.
+ * Adds planes to a grid on which there are no contours, but those of other structures, so that
+ * cells are the same for all (our own addition). Of the planes beside all contours, that is the
+ * next one on each side; of those between them, all through which no contour of another axis
+ * passes. Without contours of other axes nobody knows that, and none of those is added. If the grid
+ * has virtual planes, these are virtual, too, and all are added: whatever real slices show there is
+ * more than what they do. Sets Contours::Plane. `planes` ascend on each axis.
  */
 void AddEmptyPlanes(
   const std::array<std::vector<double>, 3>& planes, Contours& contours, SpatialGrid& grid);

@@ -8,8 +8,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Room between a copy and the bound, as a share of SpacingAtEnds: as far from their slice as central
-/// points of flat ends are (CentralPointMargin), so that these lie on the bound.
+/// Room between a copy and the bound, as a share of SpacingAtEnds: as far from their slice as
+/// central points of flat ends are (CentralPointMargin), so that these lie on the bound.
 constexpr double RoomShare = 1e-3;
 
 /// And in steps of the precision, as planes are apart at least.

@@ -8,7 +8,8 @@ namespace orthoslices
 {
 namespace
 {
-/// The vertices of a smoothed contour, no two consecutive ones equal; as it was if too few are left.
+/// The vertices of a smoothed contour, no two consecutive ones equal; as it was if too few are
+/// left.
 std::vector<Point2> Smooth(const SpatialGrid& grid, double length, double cornerAngle, int axis,
   std::vector<Point2>&& vertices)
 {

@@ -20,8 +20,9 @@ constexpr double MinDistanceOfPlanes = 256.0;
 /// Room that patches have beyond virtual contours, in SpacingAtEnds: far more than the Margin.
 constexpr double RoomBeyondVirtual = 0.01;
 
-/// Room that patches get beyond the border of the image, as a share of the distance of slices at the
-/// ends: as much as MakeVirtualSlices keeps from the bounds, so that virtual contours lie on the border.
+/// Room that patches get beyond the border of the image, as a share of the distance of slices at
+/// the ends: as much as MakeVirtualSlices keeps from the bounds, so that virtual contours lie on
+/// the border.
 constexpr double RoomBeyondBorder = 0.02;
 }
 

@@ -23,9 +23,9 @@ namespace orthoslices
  * why no singular cases exist (contours through grid edges, vertices on planes, collinear
  * segments).
  *
- * A plane is *real* if the input has contours on it, and *virtual* if it was added, with contours of
- * a surface that fills the gaps between the real ones. Where a real and a virtual slice contradict
- * each other, the real one is right.
+ * A plane is *real* if the input has contours on it, and *virtual* if it was added, with contours
+ * of a surface that fills the gaps between the real ones. Where a real and a virtual slice
+ * contradict each other, the real one is right.
  *
  * An *edge* of M runs along axis t on the intersection of plane i of FirstAxis(t) with plane j of
  * SecondAxis(t), within slab k of t. All edges with the same t, i, j form a *grid line*.
@@ -37,11 +37,11 @@ struct SpatialGrid
   std::array<std::vector<std::uint8_t>, 3> Virtual;
   /// All coordinates of the result, planes included, are values of float.
   bool SinglePrecision = false;
-  /// If it is not 0, all coordinates of the result, planes included, are multiples of this power of 2:
-  /// for results that will be mapped, so that distinct points stay distinct.
+  /// If it is not 0, all coordinates of the result, planes included, are multiples of this power of
+  /// 2: for results that will be mapped, so that distinct points stay distinct.
   double Quantum = 0.0;
-  /// What lengths and angles are: those of the world as this frame maps it. That of the world itself if
-  /// the families are at right angles to each other, whose frame changes neither.
+  /// What lengths and angles are: those of the world as this frame maps it. That of the world
+  /// itself if the families are at right angles to each other, whose frame changes neither.
   AxisFrame Metric;
   /// Whether contours cross the planes at the same places, to the last bit, if they run the other
   /// way, as those of a structure on the other side of a common border do.
@@ -60,10 +60,10 @@ struct SpatialGrid
    * room for what lies beyond the outermost ones.
    */
   Point3 SpacingAtEnds{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
-  /// The bounds of the surface, values of the precision: the box around all contours of real planes,
-  /// widened by half of SpacingAtEnds on each side, and by more where virtual contours (which should
-  /// end two hundredths of SpacingAtEnds before that) would else not be within. All points that are
-  /// placed in a cell lie within them. Without contours there are none.
+  /// The bounds of the surface, values of the precision: the box around all contours of real
+  /// planes, widened by half of SpacingAtEnds on each side, and by more where virtual contours
+  /// (which should end two hundredths of SpacingAtEnds before that) would else not be within. All
+  /// points that are placed in a cell lie within them. Without contours there are none.
   Point3 Lowest{ -HUGE_VAL, -HUGE_VAL, -HUGE_VAL };
   Point3 Highest{ HUGE_VAL, HUGE_VAL, HUGE_VAL };
 
@@ -80,8 +80,8 @@ struct SpatialGrid
     return !this->Virtual[0].empty() || !this->Virtual[1].empty() || !this->Virtual[2].empty();
   }
 
-  /// Number of a slice among those of all axes, x before y before z. That of z-slice Count(2), which
-  /// there is not, is how many there are.
+  /// Number of a slice among those of all axes, x before y before z. That of z-slice Count(2),
+  /// which there is not, is how many there are.
   Index SliceNumber(int axis, Index plane) const
   {
     return plane + (axis > 0 ? this->Count(0) : 0) + (axis > 1 ? this->Count(1) : 0);
@@ -256,14 +256,14 @@ private:
  * Finds the planes of all contours and sets Contours::Plane. Planes closer than `tolerance`, or
  * than a few dozen steps of the precision, to the first of a group become one at the median
  * coordinate of the group's contours; the contours move onto it. A plane is virtual if all of its
- * contours are; otherwise these have no say in its coordinate. Sets the bounds of the surface. With a
- * quantum, vertices of contours become multiples of it, too.
+ * contours are; otherwise these have no say in its coordinate. Sets the bounds of the surface. With
+ * a quantum, vertices of contours become multiples of it, too.
  */
 SpatialGrid BuildSpatialGrid(
   Contours& contours, double tolerance, bool singlePrecision = false, double quantum = 0.0);
 
-/// Narrows the bounds of the surface to the border of the image, but for as much room beyond it as keeps
-/// contours of virtual planes on it. REQUIRES: no contour lies beyond the border.
+/// Narrows the bounds of the surface to the border of the image, but for as much room beyond it as
+/// keeps contours of virtual planes on it. REQUIRES: no contour lies beyond the border.
 void LimitBounds(const Box3& border, SpatialGrid& grid);
 }
 

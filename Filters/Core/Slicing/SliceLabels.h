@@ -17,15 +17,17 @@ struct LabelContours
 };
 
 /**
- * Draws the contours around the samples of each label of a plane, in ascending order of labels; none
- * around those of the background, and of what is not finite. For each label they are what SliceImage
- * draws around the samples that have it, halfway to their neighbours. `us` and `vs` are as there.
+ * Draws the contours around the samples of each label of a plane, in ascending order of labels;
+ * none around those of the background, and of what is not finite. For each label they are what
+ * SliceImage draws around the samples that have it, halfway to their neighbours. `us` and `vs` are
+ * as there.
  *
  * Where the samples of two labels are neighbours, the contours of both have the same vertex halfway
  * between them, so that common borders coincide. Where three or four labels, the background among
- * them, meet in one square of samples, the contours of all have a vertex more, in its middle, so that
- * nothing is left between them. Where two samples on a diagonal have the same label and the other two have
- * two others, contours cut the corners and leave the middle out. Contours never cross.
+ * them, meet in one square of samples, the contours of all have a vertex more, in its middle, so
+ * that nothing is left between them. Where two samples on a diagonal have the same label and the
+ * other two have two others, contours cut the corners and leave the middle out. Contours never
+ * cross.
  */
 LabelContours SliceLabels(const SamplePlane& plane, double background,
   const std::vector<double>& us, const std::vector<double>& vs, Precision precision);

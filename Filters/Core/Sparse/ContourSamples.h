@@ -32,20 +32,21 @@ void AppendGuides(
   const std::vector<GuideContours>& guides, const AxisFrame& metric, std::vector<WorldLoop>& loops);
 
 /**
- * Contours by their length, the longest first, and each from its point that is farthest from the middle
- * of all. So the same ones give the same field, to the last bit, whatever the order they were read in;
- * and, but for rounding, whichever axis is the first one, and mirrored, unless several are farthest.
+ * Contours by their length, the longest first, and each from its point that is farthest from the
+ * middle of all. So the same ones give the same field, to the last bit, whatever the order they
+ * were read in; and, but for rounding, whichever axis is the first one, and mirrored, unless
+ * several are farthest.
  */
 void SortLoops(std::vector<WorldLoop>& loops);
 
-/// A distance of samples of about `wanted`, but one with which they are many enough for the shape, and
-/// few enough for a system of equations that is dense.
+/// A distance of samples of about `wanted`, but one with which they are many enough for the shape,
+/// and few enough for a system of equations that is dense.
 double SampleStep(const std::vector<WorldLoop>& loops, double wanted);
 
 /**
- * Samples about `step` apart on all contours, at least six on each, in the order of the contours. Where
- * slices cross, one of two samples closer than a fifth of the step is left out. Time is the square of
- * their number, besides that of the vertices.
+ * Samples about `step` apart on all contours, at least six on each, in the order of the contours.
+ * Where slices cross, one of two samples closer than a fifth of the step is left out. Time is the
+ * square of their number, besides that of the vertices.
  */
 std::vector<ContourSample> SampleLoops(const std::vector<WorldLoop>& loops, double step);
 }

@@ -13,8 +13,8 @@ namespace orthoslices
 {
 namespace
 {
-/// So much of a guide's way, seen along the stack, has to keep its level: corners may be rounded. Of a
-/// dome like a parabola, less than that is within a fifth of its height from the top.
+/// So much of a guide's way, seen along the stack, has to keep its level: corners may be rounded.
+/// Of a dome like a parabola, less than that is within a fifth of its height from the top.
 constexpr double LevelShare = 0.5;
 constexpr double LevelDepth = 0.2;
 /// A corner of a rim is at most so much farther out than its sides.

@@ -38,22 +38,24 @@ struct LoopEnd
 
 /**
  * For each loop of a stack, on the side below it (2 loop) and above (2 loop + 1), in which way the
- * object ends there, if it ends there at all: by the guides that begin or end on the loop, or nearest
- * to it, and do not go on to another slice. It ends flat where none of these goes farther than
- * FlatShare of the spacing. It has a rim where each of them rises by a wall, at most as far sideways
- * as upwards, to a level that it keeps, but for FlatShare of the spacing and a fifth of its height, over
- * more than half of its way.
+ * object ends there, if it ends there at all: by the guides that begin or end on the loop, or
+ * nearest to it, and do not go on to another slice. It ends flat where none of these goes farther
+ * than FlatShare of the spacing. It has a rim where each of them rises by a wall, at most as far
+ * sideways as upwards, to a level that it keeps, but for FlatShare of the spacing and a fifth of
+ * its height, over more than half of its way.
  */
 std::vector<LoopEnd> FindLoopEnds(const NodeGraph& graph, const GuideCurves& guides);
 
 /// Cuts guides where they meet the rims of loops that have one.
 void CutAtRims(const NodeGraph& graph, const std::vector<LoopEnd>& ends, GuideCurves& guides);
 
-/// Several ends of one patch: the patch ends flat, or with a rim, only if all that is known says so.
+/// Several ends of one patch: the patch ends flat, or with a rim, only if all that is known says
+/// so.
 EndKind CombineEnds(EndKind one, EndKind other);
 
 /// The rim of a loop: a point for each of its points. `up` is the direction of the stack's axis
-/// away from the other slices, 1 or -1. Between anchors the distances change evenly. REQUIRES: anchors.
+/// away from the other slices, 1 or -1. Between anchors the distances change evenly. REQUIRES:
+/// anchors.
 std::vector<Point3> PlaceRim(
   const NodeGraph& graph, Index loop, double up, const std::vector<RimAnchor>& anchors);
 

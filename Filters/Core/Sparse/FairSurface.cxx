@@ -27,8 +27,8 @@ public:
   BendingEquations(const BendingOperator& bending, const std::vector<std::uint8_t>& crease,
     const std::vector<Index>& place, Index freePoints, const std::vector<Point3>& points);
 
-  /// Moves the free points to where the surface bends least, and farther as a load pushes them. False
-  /// if that cannot be solved.
+  /// Moves the free points to where the surface bends least, and farther as a load pushes them.
+  /// False if that cannot be solved.
   bool Solve(const RoundnessLoad& load, std::vector<Point3>& points);
   /// Moves them along one axis alone, with a pull that joins the bending.
   bool SolveWith(const SlabPull& pull, int axis, std::vector<Point3>& points);
@@ -173,8 +173,8 @@ bool BendingEquations::SolveWith(const SlabPull& pull, int axis, std::vector<Poi
   return true;
 }
 
-/// The mean over the surface of the square of the bending in widths of the slabs; see SlabPull. What
-/// is sharper than a ball as wide as its slab counts as such.
+/// The mean over the surface of the square of the bending in widths of the slabs; see SlabPull.
+/// What is sharper than a ball as wide as its slab counts as such.
 double MeasureRoughness(
   const BendingOperator& bending, const SurfaceMesh& mesh, const std::vector<Point3>& points)
 {
@@ -231,8 +231,8 @@ std::vector<std::uint8_t> FindHeldPoints(const SurfaceMesh& mesh)
 }
 
 /**
- * Points of components all of whose contours lie in one slice: bent least, they would lie in it, too,
- * and enclose nothing. They keep the domes that they have.
+ * Points of components all of whose contours lie in one slice: bent least, they would lie in it,
+ * too, and enclose nothing. They keep the domes that they have.
  */
 void HoldFlatComponents(const SurfaceMesh& mesh, std::vector<std::uint8_t>& held)
 {
@@ -279,8 +279,8 @@ Index NumberFreePoints(
   return count;
 }
 
-/// Moves free points that have left their cells onto the boundary, and stops them. False if there are
-/// none.
+/// Moves free points that have left their cells onto the boundary, and stops them. False if there
+/// are none.
 bool StopAtCells(
   const std::vector<Index>& place, SurfaceMesh& mesh, std::vector<std::uint8_t>& stopped)
 {

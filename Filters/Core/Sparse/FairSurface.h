@@ -21,15 +21,15 @@ enum class EdgeWeights
  * the area times the square of the Laplacian of the position, which is twice the mean curvature, is
  * minimal (L. Kobbelt et al., "Interactive Multi-Resolution Modeling on Arbitrary Meshes", 1998).
  * On a closed surface this is, by the theorem of Gauss and Bonnet, where the sum of the squares of
- * both principal curvatures is minimal. Areas and Laplacian are those of the mesh as it is given, so
- * that positions are the solution of linear equations.
+ * both principal curvatures is minimal. Areas and Laplacian are those of the mesh as it is given,
+ * so that positions are the solution of linear equations.
  *
  * Contours are interpolated: fixed points stay, and the bending at them counts, so that the surface
- * passes them smoothly; that at points of creases does not; a patch all of whose
- * contours are creases is left as it is, and so is a component with contours in one slice alone. With
- * cotangents and a StretchAxis, what spreads far from its contours is pulled to the middle of its
- * slab (SlabPull). Points that would leave their cell are moved onto its boundary, and the others
- * placed anew, three times at most; what is outside then is moved onto the boundary alone. So all free
+ * passes them smoothly; that at points of creases does not; a patch all of whose contours are
+ * creases is left as it is, and so is a component with contours in one slice alone. With cotangents
+ * and a StretchAxis, what spreads far from its contours is pulled to the middle of its slab
+ * (SlabPull). Points that would leave their cell are moved onto its boundary, and the others placed
+ * anew, three times at most; what is outside then is moved onto the boundary alone. So all free
  * points are within their cells. Triangles may cross.
  * Where the equations have no finite solution, points stay as they are.
  */

@@ -9,8 +9,8 @@
 namespace orthoslices
 {
 /**
- * What slices on the planes of ChooseVirtualPlanes would show, if the object were where the field is
- * positive: its contours there, of Cell -1 and with Virtual set, closed and with the interior on
+ * What slices on the planes of ChooseVirtualPlanes would show, if the object were where the field
+ * is positive: its contours there, of Cell -1 and with Virtual set, closed and with the interior on
  * their left.
  *
  * The field is evaluated on one lattice that has all planes among its own: contours of two planes

@@ -20,8 +20,8 @@ struct GuidePlane
   double HeightOf(const Point3& point) const { return Dot(this->Normal, point) - this->Offset; }
 };
 
-/// The contours on one plane of no family: closed loops of at least three points, with their interior
-/// on the left as seen from where the normal of the plane points.
+/// The contours on one plane of no family: closed loops of at least three points, with their
+/// interior on the left as seen from where the normal of the plane points.
 struct GuideContours
 {
   GuidePlane Plane;
@@ -45,16 +45,16 @@ struct GuideSlice
 };
 
 /// What guides a surface between its own contours: contours of other slices, with their interior on
-/// the left as seen from where the normal of their plane points. Either the surface is that of a stack,
-/// or that of all families.
+/// the left as seen from where the normal of their plane points. Either the surface is that of a
+/// stack, or that of all families.
 struct GuideCurves
 {
   int StackAxis = -1;                        ///< -1: the surface is that of several families
   std::vector<double> StackPlanes;           ///< of a stack, ascending
   std::array<std::vector<double>, 3> Planes; ///< of several families, ascending; of a stack, none
   std::vector<GuideSlice> Slices;
-  /// Whether parts of a stack that end between two slices end in the middle between them, with walls
-  /// at right angles to the last slice they are on: EndCaps::HalfSlice.
+  /// Whether parts of a stack that end between two slices end in the middle between them, with
+  /// walls at right angles to the last slice they are on: EndCaps::HalfSlice.
   bool HalfSliceEnds = false;
 
   /// The mean distance of the planes of the stack; 1 if there are fewer than two.
@@ -64,21 +64,22 @@ struct GuideCurves
   Index SlabAt(const Point3& point) const;
 };
 
-/// A part that ends the object within that share of the spacing of a stack ends it flat: in the slice.
+/// A part that ends the object within that share of the spacing of a stack ends it flat: in the
+/// slice.
 constexpr double FlatShare = 0.02;
 
 /**
  * Cuts the contours of all other axes where they cross the planes of the stack, or those of slices
- * before them. Contours that cross none guide nothing and are left out. Outwards of the first and the
- * last plane of the stack, contours count as beyond it from FlatShare of the spacing before it: so
- * the side of a rectangle that lies in it, but for rounding, is a piece of its own.
+ * before them. Contours that cross none guide nothing and are left out. Outwards of the first and
+ * the last plane of the stack, contours count as beyond it from FlatShare of the spacing before it:
+ * so the side of a rectangle that lies in it, but for rounding, is a piece of its own.
  */
 GuideCurves CutGuides(const Contours& contours, const SpatialGrid& grid, int stackAxis);
 
 /**
- * Cuts contours on planes of any inclination likewise, and appends them: where they cross the planes of
- * the surface that they are to guide, or those of slices before them. Without a stack, contours have no
- * ends beyond its planes, and all planes cut alike.
+ * Cuts contours on planes of any inclination likewise, and appends them: where they cross the
+ * planes of the surface that they are to guide, or those of slices before them. Without a stack,
+ * contours have no ends beyond its planes, and all planes cut alike.
  */
 void AddGuides(const std::vector<GuideContours>& others, GuideCurves& curves);
 }

@@ -112,8 +112,8 @@ void SurfaceCut::Run()
   }
 }
 
-/// The next point of the cut, with the interior on the left as seen from where the normal points; -1
-/// if there is none, or if the cut branches.
+/// The next point of the cut, with the interior on the left as seen from where the normal points;
+/// -1 if there is none, or if the cut branches.
 Index SurfaceCut::Follow(Index start, std::vector<Index>& points) const
 {
   const CornerTable& corners = this->Mesh.Corners;

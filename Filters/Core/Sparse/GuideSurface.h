@@ -9,14 +9,14 @@
 namespace orthoslices
 {
 /**
- * Has a surface pass through contours of other slices. Slice by slice, the mesh is cut along the plane
- * of the slice. What lies on the plane then runs from contour to contour of the surface, as the
- * pieces of the slice do. Where a piece and a part of the cut are in the same slab of the stack, or
- * cell of several families, run in the same direction, and are each other's closest by their ends, which
- * are within `reach` (world units) in the sum, that part becomes a curve on the mesh: its points move
- * onto the piece, at the same share of its length, and are fixed, with an edge for every `edgeLength`
- * of the piece at least. Points of slices before stay where they are; where contours of two slices do
- * not meet, the points between change from one to the other evenly.
+ * Has a surface pass through contours of other slices. Slice by slice, the mesh is cut along the
+ * plane of the slice. What lies on the plane then runs from contour to contour of the surface, as
+ * the pieces of the slice do. Where a piece and a part of the cut are in the same slab of the
+ * stack, or cell of several families, run in the same direction, and are each other's closest by
+ * their ends, which are within `reach` (world units) in the sum, that part becomes a curve on the
+ * mesh: its points move onto the piece, at the same share of its length, and are fixed, with an
+ * edge for every `edgeLength` of the piece at least. Points of slices before stay where they are;
+ * where contours of two slices do not meet, the points between change from one to the other evenly.
  *
  * Pieces without such a part guide nothing. Returns the number of pieces that do, and sets that of
  * each slice. Deterministic; time

@@ -179,8 +179,8 @@ bool FamilyCompleter::IsInsideOn(int axis, double coordinate, const Point3& p) c
   return inside;
 }
 
-/// Whether the slices of other families that pass through the polygon are inside there: all, and one
-/// at least if there are any.
+/// Whether the slices of other families that pass through the polygon are inside there: all, and
+/// one at least if there are any.
 bool FamilyCompleter::DoOthersAgree(const Polygon& polygon, Index plane) const
 {
   const std::array<int, 2> axes{ FirstAxis(this->Axis), SecondAxis(this->Axis) };

@@ -10,8 +10,8 @@ namespace orthoslices
 {
 /**
  * Contours that slices lack although those before and after them show that there is something: one
- * of several parts has not been drawn there. Our own addition; between the two contours the shape is
- * interpolated, as in S. P. Raya and J. K. Udupa, "Shape-Based Interpolation of Multidimensional
+ * of several parts has not been drawn there. Our own addition; between the two contours the shape
+ * is interpolated, as in S. P. Raya and J. K. Udupa, "Shape-Based Interpolation of Multidimensional
  * Objects", IEEE Transactions on Medical Imaging 9 (1990), but from vertex to vertex.
  *
  * A contour is proposed for each slice between two contours
@@ -25,9 +25,9 @@ namespace orthoslices
  * it. If there are slices of other families, one of them at least has to pass through it, and all
  * that do must be inside there.
  *
- * Returns the contours, of Cell -1 and with the interior on the same side as their neighbours, and a
- * report of each: the middle of the contour and its length. REQUIRES: contours are oriented, Plane
- * is set. Time is linear in the number of vertices, where few contours of neighbouring slices
+ * Returns the contours, of Cell -1 and with the interior on the same side as their neighbours, and
+ * a report of each: the middle of the contour and its length. REQUIRES: contours are oriented,
+ * Plane is set. Time is linear in the number of vertices, where few contours of neighbouring slices
  * overlap.
  */
 struct MissingContours

@@ -13,8 +13,8 @@ namespace orthoslices
 {
 namespace
 {
-/// How far from a rim between two slices a virtual one meets its wall, as a share of their distance: what
-/// is beyond is as thin as that, and rounded.
+/// How far from a rim between two slices a virtual one meets its wall, as a share of their
+/// distance: what is beyond is as thin as that, and rounded.
 constexpr double RoomBelowRim = 0.02;
 
 class EndRaiser
@@ -142,8 +142,8 @@ void EndRaiser::CombineAnchors(Index patch, const std::vector<Index>& loops)
   }
 }
 
-/// Where a flat end lies: in the slice, but on the patch's side of it, so that sections of the surface
-/// do not begin in the slice itself.
+/// Where a flat end lies: in the slice, but on the patch's side of it, so that sections of the
+/// surface do not begin in the slice itself.
 double EndRaiser::LevelOf(Index patch, Index loop) const
 {
   const SpatialGrid& grid = this->Geometry.Grid;
@@ -234,8 +234,8 @@ bool EndRaiser::IsFlat(Index patch) const
   return high - low < FlatShare * this->Geometry.Grid.MeanSpacing(this->Axis);
 }
 
-/// How far the object goes beyond the first slice (side 0) and the last one (side 1): the mean of what
-/// guides show there, or else of what they show on the other side; 0 if they show nothing.
+/// How far the object goes beyond the first slice (side 0) and the last one (side 1): the mean of
+/// what guides show there, or else of what they show on the other side; 0 if they show nothing.
 std::array<double, 2> EndRaiser::FindMeanHeights() const
 {
   std::array<double, 2> sum{}, count{};
@@ -274,7 +274,8 @@ void EndRaiser::AssumeRim(Index patch, const std::vector<Index>& loops, double h
   }
 }
 
-/// Whether a patch ends the object between two slices of the stack, on which its loops are not both.
+/// Whether a patch ends the object between two slices of the stack, on which its loops are not
+/// both.
 bool EndRaiser::EndsWithin(Index patch, const std::vector<Index>& loops) const
 {
   const SpatialGrid& grid = this->Geometry.Grid;

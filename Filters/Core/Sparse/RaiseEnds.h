@@ -29,10 +29,11 @@ struct StackEnds
 };
 
 /**
- * Gives the patches of a stack that end on one side of a slice the shape that guides show: those that
- * end flat are moved into the slice, and those with a rim are moved out to it, with a wall of
- * triangles between the slice and the rim. The wall has a patch of its own: the number of patches is
- * added to that of the patch within the rim. Points on rims are appended. Guides are cut at rims.
+ * Gives the patches of a stack that end on one side of a slice the shape that guides show: those
+ * that end flat are moved into the slice, and those with a rim are moved out to it, with a wall of
+ * triangles between the slice and the rim. The wall has a patch of its own: the number of patches
+ * is added to that of the patch within the rim. Points on rims are appended. Guides are cut at
+ * rims.
  *
  * With GuideCurves::HalfSliceEnds, all patches that end between two slices have a rim in the middle
  * between them.

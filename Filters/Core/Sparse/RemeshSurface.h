@@ -10,14 +10,14 @@ namespace orthoslices
 /**
  * Gives all edges about the same length, by the local operations of M. Botsch and L. Kobbelt, "A
  * Remeshing Approach to Multiresolution Modeling", 2004: edges longer than 4/3 of `length` are
- * split in the middle, those shorter than 4/5 collapse, where that makes no edge longer than 4/3 and
- * than those that were there. The shortest collapse first. Lengths are in world units, after the
- * stretch of SurfaceMesh.
+ * split in the middle, those shorter than 4/5 collapse, where that makes no edge longer than 4/3
+ * and than those that were there. The shortest collapse first. Lengths are in world units, after
+ * the stretch of SurfaceMesh.
  *
  * Topology and the curves stay. Fixed points keep their place, and only those of them are left out
  * that are within a tenth of the length of collapsing edges of the line between their neighbors on
- * the contour; all others keep theirs but for the ends of a collapsed edge, which meet in its middle.
- * New points on curves are fixed; they are on creases where both ends are.
+ * the contour; all others keep theirs but for the ends of a collapsed edge, which meet in its
+ * middle. New points on curves are fixed; they are on creases where both ends are.
  */
 void CollapseShortEdges(double length, SurfaceMesh& mesh);
 void SplitLongEdges(double length, SurfaceMesh& mesh);

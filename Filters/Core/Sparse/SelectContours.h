@@ -16,9 +16,9 @@ void AddVirtual(const Contours& others, Contours& contours);
 Contours SelectAxis(const Contours& contours, int axis, bool ofAxis);
 
 /**
- * Takes away contours of virtual slices that do not go together with the real ones: all on planes on
- * which arcs were drawn anew, because a real slice has what the virtual one lacks; or, if there are
- * none, all on planes with any repair. `repairs` are those of virtual slices, by the planes of
+ * Takes away contours of virtual slices that do not go together with the real ones: all on planes
+ * on which arcs were drawn anew, because a real slice has what the virtual one lacks; or, if there
+ * are none, all on planes with any repair. `repairs` are those of virtual slices, by the planes of
  * `grid`. False if nothing is taken away.
  */
 bool RemoveMended(const std::vector<Repair>& repairs, const SpatialGrid& grid, Contours& contours);

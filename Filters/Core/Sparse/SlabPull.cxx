@@ -9,8 +9,8 @@ namespace orthoslices
 {
 namespace
 {
-/// Where in its slab a surface is in the mean that is farther from all contours than the slices from
-/// each other, from the inside of the solid to the outside: there are more tops than pits.
+/// Where in its slab a surface is in the mean that is farther from all contours than the slices
+/// from each other, from the inside of the solid to the outside: there are more tops than pits.
 constexpr double MeanPlace = 0.55;
 /// Strength, in widths of the slab, for shapes of this roughness: half of the pull shows two
 /// spacings from the contours, as the true surfaces of a dozen scans do.

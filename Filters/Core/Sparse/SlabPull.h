@@ -11,11 +11,11 @@ namespace orthoslices
 {
 /**
  * What the slices say of a surface far from their contours: that it lies between them. A ledge, a
- * saddle or a top that spreads far from all contours can be anywhere in its slab, and its mean place
- * is the middle; the surface of least bending, which knows nothing of slabs, hugs the slice that
- * its contours lie on or runs through it. As a spring: the sum over all points of Strength times the
- * square of the distance from the plane of constant coordinate Aim, along the axis of the slices,
- * joins the bending.
+ * saddle or a top that spreads far from all contours can be anywhere in its slab, and its mean
+ * place is the middle; the surface of least bending, which knows nothing of slabs, hugs the slice
+ * that its contours lie on or runs through it. As a spring: the sum over all points of Strength
+ * times the square of the distance from the plane of constant coordinate Aim, along the axis of the
+ * slices, joins the bending.
  */
 struct SlabPull
 {

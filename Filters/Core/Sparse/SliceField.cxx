@@ -126,8 +126,8 @@ Point3 SliceField::Solution::GradientAt(const Point3& p) const
 
 /**
  * The system with the linear polynomials P: [A P; P^T 0] [w; c] = [b; 0]. On weights that are
- * orthogonal to all of them A is positive definite: in a basis that starts with the directions of P,
- * what is left of A without the first four takes a Cholesky factorisation.
+ * orthogonal to all of them A is positive definite: in a basis that starts with the directions of
+ * P, what is left of A without the first four takes a Cholesky factorisation.
  */
 class Factors
 {

@@ -14,14 +14,14 @@ namespace orthoslices
  * A smooth function of space that is 0 on the contours of slices of any directions, positive inside
  * and negative outside: of all functions with these values, and with these slopes across the
  * contours within their planes, the one with the least third derivatives (J. Duchon, "Splines
- * minimizing rotation-invariant semi-norms in Sobolev spaces", 1977; its use for surfaces: J. C. Carr
- * et al., "Reconstruction and representation of 3D objects with radial basis functions", SIGGRAPH
- * 2001; derivatives as constraints: I. Macedo, J. P. Gois, L. Velho, "Hermite radial basis functions
- * implicits", 2011).
+ * minimizing rotation-invariant semi-norms in Sobolev spaces", 1977; its use for surfaces: J. C.
+ * Carr et al., "Reconstruction and representation of 3D objects with radial basis functions",
+ * SIGGRAPH 2001; derivatives as constraints: I. Macedo, J. P. Gois, L. Velho, "Hermite radial basis
+ * functions implicits", 2011).
  *
- * A distance has the slope 1 across its surface, but across a contour within its plane only the sine
- * of the angle between surface and plane. That is taken from the function itself, which is solved a
- * few times with the same factors.
+ * A distance has the slope 1 across its surface, but across a contour within its plane only the
+ * sine of the angle between surface and plane. That is taken from the function itself, which is
+ * solved a few times with the same factors.
  *
  * The system is dense, and has two unknowns for each sample: time grows with the third
  * power of their number, and memory with its square. Deterministic.
@@ -38,7 +38,8 @@ public:
 
   /// About the distance from the surface, in world units, near it. Time is linear in the samples.
   double Value(const Point3& position) const;
-  /// How far a position is from the surface, near it: by the slope there, taken for at least a half.
+  /// How far a position is from the surface, near it: by the slope there, taken for at least a
+  /// half.
   double Distance(const Point3& position) const;
 
 private:

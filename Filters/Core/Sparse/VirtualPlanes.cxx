@@ -24,8 +24,9 @@ constexpr double WideSlab = 1.4;
 constexpr Index FewAgainstMany = 3;
 /// Across so many planes a surface can bend,
 constexpr Index EnoughPlanes = 8;
-/// and across so many where a few slices across guide it, all of one family: those of two families cut
-/// the stack into cells whose patches are as near to the object as the surface of so few slices.
+/// and across so many where a few slices across guide it, all of one family: those of two families
+/// cut the stack into cells whose patches are as near to the object as the surface of so few
+/// slices.
 constexpr Index EnoughGuidedPlanes = 5;
 /// As few slices across guide a stack of any height.
 constexpr Index FewAcross = 2;

@@ -13,8 +13,8 @@ namespace orthoslices
 /// Planes on which nobody has drawn, of each axis, ascending.
 using VirtualPlanes = std::array<std::vector<double>, 3>;
 
-/// What shows the shape between slices: a surface that bends from one to the next, or a field through
-/// all of them (SliceField).
+/// What shows the shape between slices: a surface that bends from one to the next, or a field
+/// through all of them (SliceField).
 enum class SparseRule : std::uint8_t
 {
   Bending,
@@ -26,23 +26,25 @@ enum class SparseRule : std::uint8_t
  * apart planes have to be there (our own rules). Extents are those of the box of all contours.
  *
  * - Where a family is missing, its axis is sparse everywhere.
- * - An axis with at most a third of the planes of the densest one, such as that of a long-axis slice
- *   through a stack, is sparse in slabs that are wider than 1.4 twelfths of its extent: a shape of
- *   some detail is seen by a dozen slices; and wider than 1.4 times the spacing of the densest axis, as
- *   a flat object has few slices across. Between axes with about as many planes cells are about as
- *   long as wide, and patches from the contours around them are as good as any.
- * - But where all families have fewer than eight slices, these are not enough for a surface to bend from
- *   one to the next, and nothing is sparse; except in stacks of at least five slices with a few
- *   across of one family, one or two, or at most a third as many: these show how the object goes on
- *   and ends. With slices across of two families, a stack takes eight.
+ * - An axis with at most a third of the planes of the densest one, such as that of a long-axis
+ *   slice through a stack, is sparse in slabs that are wider than 1.4 twelfths of its extent: a
+ *   shape of some detail is seen by a dozen slices; and wider than 1.4 times the spacing of the
+ *   densest axis, as a flat object has few slices across. Between axes with about as many planes
+ *   cells are about as long as wide, and patches from the contours around them are as good as any.
+ * - But where all families have fewer than eight slices, these are not enough for a surface to bend
+ *   from one to the next, and nothing is sparse; except in stacks of at least five slices with a
+ *   few across of one family, one or two, or at most a third as many: these show how the object
+ *   goes on and ends. With slices across of two families, a stack takes eight.
  *
- * A field takes several families of fewer than a dozen slices each, or a stack of 8 to 16 with a few
- * across; then all axes are sparse in slabs that are wider than 1.4 times what planes are to be apart.
+ * A field takes several families of fewer than a dozen slices each, or a stack of 8 to 16 with a
+ * few across; then all axes are sparse in slabs that are wider than 1.4 times what planes are to be
+ * apart.
  *
- * In sparse slabs, planes are to be as far apart as those of the densest axis, but at most a twelfth
- * and at least a 64th of the extent of their own axis, so that a fine stack does not multiply the
- * triangles by itself. `spacing` > 0, in world units, takes the place of these rules for bending, and of this distance: then an
- * axis without planes is sparse, and so is each slab that is wider than 1.4 times `spacing`.
+ * In sparse slabs, planes are to be as far apart as those of the densest axis, but at most a
+ * twelfth and at least a 64th of the extent of their own axis, so that a fine stack does not
+ * multiply the triangles by itself. `spacing` > 0, in world units, takes the place of these rules
+ * for bending, and of this distance: then an axis without planes is sparse, and so is each slab
+ * that is wider than 1.4 times `spacing`.
  *
  * REQUIRES: the grid has planes.
  */
@@ -84,8 +86,9 @@ private:
 
 /**
  * The planes to add between those of the grid, for a surface within the box `surface`: in each
- * sparse slab as many as divide it evenly, rounded as the grid says. The first and the last are half
- * as far from the ends of the surface, where its sections are points, as they are from each other.
+ * sparse slab as many as divide it evenly, rounded as the grid says. The first and the last are
+ * half as far from the ends of the surface, where its sections are points, as they are from each
+ * other.
  */
 VirtualPlanes ChooseVirtualPlanes(
   const SpatialGrid& grid, const Box3& surface, const SliceDensity& density);

@@ -48,7 +48,8 @@ bool MakeFair(
   const auto flip = [&] { FlipEdges(mesh); };
   const auto split = [&] { SplitLongEdges(edgeLength, mesh); };
   const auto bend = [&] { FairSurface(EdgeWeights::Uniform, mesh); };
-  // The contours of one family do not show what is round, and its mesh is stretched where it is thin.
+  // The contours of one family do not show what is round, and its mesh is stretched where it is
+  // thin.
   const EdgeWeights shown =
     mesh.StretchAxis < 0 ? EdgeWeights::RoundCotangents : EdgeWeights::Cotangents;
   const auto bendAgain = [&] { FairSurface(shown, mesh); };
@@ -59,7 +60,8 @@ bool MakeFair(
     { GuideSurface(guides, ReachOfGuides * edgeLength, 0.5 * edgeLength, mesh); };
     steps.insert(steps.end(), { guide, bend, split, collapse, flip, bend });
   }
-  // What was bent without knowing its shape has to be meshed anew, and so has what guides have moved.
+  // What was bent without knowing its shape has to be meshed anew, and so has what guides have
+  // moved.
   const int rounds = guides.Slices.empty() ? density.Rounds() : 2;
   for (int round = 0; round < rounds; ++round)
   {
@@ -80,8 +82,9 @@ std::vector<double> MergePlanes(const std::vector<double>& some, const std::vect
   return planes;
 }
 
-/// Where points may lie along an axis: patches need room beyond the contours, but must not leave the
-/// bounds of the real ones. Beyond slices that were added at the ends, half of the room there is.
+/// Where points may lie along an axis: patches need room beyond the contours, but must not leave
+/// the bounds of the real ones. Beyond slices that were added at the ends, half of the room there
+/// is.
 std::array<double, 2> RangeWithin(const SpatialGrid& grid, int axis)
 {
   const double room = 0.02 * grid.SpacingAtEnds[axis];

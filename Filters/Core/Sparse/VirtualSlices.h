@@ -12,8 +12,8 @@
 namespace orthoslices
 {
 /// What virtual slices are made from: a surface through the contours of all slices or of some, the
-/// planes of all of them, and the contours of those that took no part in the surface, which are told
-/// whether they guide it.
+/// planes of all of them, and the contours of those that took no part in the surface, which are
+/// told whether they guide it.
 struct FairSource
 {
   const CycleGeometry& Geometry;
@@ -28,22 +28,21 @@ struct FairSource
  * What slices on the planes between the real ones would show, if the object had the topology of the
  * surface that was reconstructed, its contours, and between them the shape that bends least:
  *
- *   MakeSurfaceMesh    the surface, with its contours as curves on it, and the ends that guides show
- *   RemeshSurface      with triangles of about the same size
- *   FairSurface        bent as little as the contours and cells allow
- *   GuideSurface       through the guides; then the two before, twice more
- *   SubdivideSurface   four curved triangles for each, within the bounds of the grid
+ *   MakeSurfaceMesh    the surface, with its contours as curves on it, and the ends that guides
+ *   show RemeshSurface      with triangles of about the same size FairSurface        bent as little
+ *   as the contours and cells allow GuideSurface       through the guides; then the two before,
+ *   twice more SubdivideSurface   four curved triangles for each, within the bounds of the grid
  *   SliceSurface       cut on the planes of ChooseVirtualPlanes, and near rims between slices
  *
- * Returns these contours alone: closed, with the interior on their left, of Cell -1 and with Virtual
- * set, without vertices that lie within 0.003 of the distance of planes of the line through the
- * others; Plane is for the caller to find. They may cross each other where the smooth surface crosses
- * itself. None if no plane is to be added. `execution` is asked between the steps whether to go on;
- * if not, there are none. REQUIRES: density.IsSparse().
+ * Returns these contours alone: closed, with the interior on their left, of Cell -1 and with
+ * Virtual set, without vertices that lie within 0.003 of the distance of planes of the line through
+ * the others; Plane is for the caller to find. They may cross each other where the smooth surface
+ * crosses itself. None if no plane is to be added. `execution` is asked between the steps whether
+ * to go on; if not, there are none. REQUIRES: density.IsSparse().
  *
  * Deterministic. The mesh has as many edges as EdgeLength asks for, besides what contours need to
- * keep their course; two sparse systems of equations of its size are solved, five with guides, three
- * times at most each.
+ * keep their course; two sparse systems of equations of its size are solved, five with guides,
+ * three times at most each.
  */
 Contours MakeVirtualSlices(
   const FairSource& source, const SliceDensity& density, const Execution& execution);

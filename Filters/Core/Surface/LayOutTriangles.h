@@ -10,7 +10,8 @@
 
 namespace orthoslices
 {
-/// Triangles that took the place of those of all patches, in the order of the patches, and their points.
+/// Triangles that took the place of those of all patches, in the order of the patches, and their
+/// points.
 struct ImprovedTriangles
 {
   std::vector<double> Points;       ///< x, y, z of each

@@ -24,12 +24,12 @@ struct ComponentMeasure
 };
 
 /**
- * Area, volume and centroid of each of `count` components: exact for the triangles but for rounding,
- * by the divergence theorem, with an origin on each component, so that components far from the origin
- * of the world lose no digits. `triangles` are three ids each of points x, y, z, and
- * `components` has the component of each triangle; one that is not from 0 to `count` - 1 is passed
- * over. A component is closed if its edges cancel: each is passed as often forwards as backwards. Only if
- * `mayBeOpen` this is looked at.
+ * Area, volume and centroid of each of `count` components: exact for the triangles but for
+ * rounding, by the divergence theorem, with an origin on each component, so that components far
+ * from the origin of the world lose no digits. `triangles` are three ids each of points x, y, z,
+ * and `components` has the component of each triangle; one that is not from 0 to `count` - 1 is
+ * passed over. A component is closed if its edges cancel: each is passed as often forwards as
+ * backwards. Only if `mayBeOpen` this is looked at.
  */
 template <typename Coordinate, typename Id>
 std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const Id* triangles,

@@ -11,10 +11,10 @@
 namespace orthoslices
 {
 /**
- * For each cycle, the source of its patch: of all sources of the arcs and loops around the patch (all
- * cycles of it together), the one with the longest part of its border; of equally long ones the
- * lowest. A patch around which nothing has a source has that of the nearest patch that has one, in
- * steps from patch to patch across arcs.
+ * For each cycle, the source of its patch: of all sources of the arcs and loops around the patch
+ * (all cycles of it together), the one with the longest part of its border; of equally long ones
+ * the lowest. A patch around which nothing has a source has that of the nearest patch that has one,
+ * in steps from patch to patch across arcs.
  *
  * `sources` has a number for each arc and then each loop of G, negative for those without a source.
  * The result is negative only if no source can be reached.

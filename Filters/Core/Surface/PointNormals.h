@@ -12,11 +12,11 @@ namespace orthoslices
 {
 /**
  * Unit normals of points from the triangles around them, weighted by area, or those of a smooth
- * surface. Triangles are three ids each of points x, y, z; `smooth` has x, y, z for each point, zero
- * where there is none, or is empty. A smooth normal is taken if it is within 30 degrees of the area
- * vector of the triangles around the point, or of that of the next triangles around these, which
- * decide where the first are slivers. `normals`, x, y, z of each point, is written; zero at points
- * without area around them. The result does not depend on the number of threads.
+ * surface. Triangles are three ids each of points x, y, z; `smooth` has x, y, z for each point,
+ * zero where there is none, or is empty. A smooth normal is taken if it is within 30 degrees of the
+ * area vector of the triangles around the point, or of that of the next triangles around these,
+ * which decide where the first are slivers. `normals`, x, y, z of each point, is written; zero at
+ * points without area around them. The result does not depend on the number of threads.
  */
 template <typename Coordinate, typename Id>
 void ComputePointNormals(const Coordinate* xyz, std::size_t points, const Id* triangles,

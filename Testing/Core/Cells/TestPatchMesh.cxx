@@ -13,8 +13,8 @@ PatchMesh WithTriangles(std::vector<std::array<Index, 3>> triangles)
   return { PatchKind::Joined, { 0 }, {}, std::move(triangles) };
 }
 
-/// A grid of `rows` by `columns` squares, each of two triangles, that closes up along a direction if
-/// it is said to.
+/// A grid of `rows` by `columns` squares, each of two triangles, that closes up along a direction
+/// if it is said to.
 PatchMesh Grid(Index rows, Index columns, bool closeRows, bool closeColumns)
 {
   const Index inRow = columns + (closeColumns ? 0 : 1);

@@ -378,8 +378,8 @@ TEST(UndecidedPlaces, NoneWithoutJoins)
 }
 
 //----------------------------------------------------------------------------
-/// Slices of vessels thinner than the distance of the planes: whoever adds the proposed slices knows
-/// more.
+/// Slices of vessels thinner than the distance of the planes: whoever adds the proposed slices
+/// knows more.
 TEST(UndecidedPlaces, ProposedSlicesSettleThinVessels)
 {
   const std::array<Point3, 6> directions{ { { 1.0, 0.1, 0.05 }, { 0.05, 1.0, 0.12 },

@@ -15,7 +15,8 @@ using namespace orthoslices::support;
 
 namespace
 {
-/// Ellipses on two parallel planes and on one across, in a random frame; two of them on the first one.
+/// Ellipses on two parallel planes and on one across, in a random frame; two of them on the first
+/// one.
 Polylines Ellipses(std::uint64_t seed, double noise)
 {
   const PieceSets sets =

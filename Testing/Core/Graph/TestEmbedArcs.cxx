@@ -126,8 +126,8 @@ void ExpectEmbedded(const Stages& stages)
   }
 }
 
-/// Contours on the plane z = 0 that cross the planes x = 0 and y = 0 at 3 and -3, and at 2 and -2 where
-/// there is a hole.
+/// Contours on the plane z = 0 that cross the planes x = 0 and y = 0 at 3 and -3, and at 2 and -2
+/// where there is a hole.
 std::string OnOnePlane(const std::string& contours, bool hole = false)
 {
   std::string text;
@@ -215,8 +215,8 @@ TEST(EmbedArcs, PassesALoopTheOtherWay)
 //----------------------------------------------------------------------------
 TEST(EmbedArcs, TakesTwoArcsApartThatCrossTwice)
 {
-  // In the first quadrant the ends are nested and the arcs cross all the same, by so little that the
-  // loops count as two.
+  // In the first quadrant the ends are nested and the arcs cross all the same, by so little that
+  // the loops count as two.
   const Stages stages(OnOnePlane("z=0: 3,-3 3,1 1.45,1.45 1,3 -3,3 -3,-3\n"
                                  "z=0: -2,-2 -2,2 1,2 2,1 2,-2",
     true));
@@ -228,8 +228,8 @@ TEST(EmbedArcs, TakesTwoArcsApartThatCrossTwice)
 }
 
 //----------------------------------------------------------------------------
-/// A real slice has a hole that meets the plane z = 0 from x = 1 to 2. The virtual slice there lacks it,
-/// and has an arc close beside that edge of the grid.
+/// A real slice has a hole that meets the plane z = 0 from x = 1 to 2. The virtual slice there
+/// lacks it, and has an arc close beside that edge of the grid.
 TEST(EmbedArcs, FitsABumpBetweenAnArcAndAnEdge)
 {
   Input input;
@@ -240,7 +240,8 @@ TEST(EmbedArcs, FitsABumpBetweenAnArcAndAnEdge)
     pieces.Virtual.assign(pieces.Cell.size(), &pieces == &input.Sets[2] ? 1 : 0);
   }
   const Stages stages(input);
-  // The bump in the face below, where there is nothing else, and the arc and the bump in that above.
+  // The bump in the face below, where there is nothing else, and the arc and the bump in that
+  // above.
   EXPECT_EQ(CountKind(stages, RepairKind::ArcsRedrawn), 1u);
   EXPECT_EQ(CountKind(stages, RepairKind::ArcsUncrossed), 1u);
   EXPECT_EQ(stages.Redrawn.size(), 2u);

@@ -80,7 +80,8 @@ TEST(NodeGraph, ArcsKeepTheGeometryOfTheirContour)
 {
   const Stages stages("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1\n"
                       "z=0: 0,-1 1,-1 1.5,-0.5 1,0 1,1 0.5,2 0,1 -1,1 -1,0 -1,-1");
-  // From (1, 0) to (0, 1), both vertices of the contour: the vertices in between, in order, and no node twice.
+  // From (1, 0) to (0, 1), both vertices of the contour: the vertices in between, in order, and no
+  // node twice.
   Index arc = -1;
   for (Index c = 0; c < stages.Crossings.Count(); ++c)
   {

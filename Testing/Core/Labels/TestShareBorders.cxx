@@ -146,8 +146,8 @@ TEST(ShareBorders, NestedStructuresStay)
   EXPECT_EQ(shared.Sets, (StructureSets{ {}, { 0 }, { 0, 1 } }));
 }
 
-/// A contour that is a sliver beside another structure's goes away, and is counted; so is one that is moved onto
-/// that structure as a whole. What lies apart is none, however thin it is.
+/// A contour that is a sliver beside another structure's goes away, and is counted; so is one that
+/// is moved onto that structure as a whole. What lies apart is none, however thin it is.
 TEST(ShareBorders, WhatVanishesIsCounted)
 {
   std::vector<Contours> structures{ Rectangle(0, 0, 1, 1), Rectangle(1, 0.2, 1.004, 0.8),

@@ -137,7 +137,8 @@ TEST(LightenArcs, ArcsAreEmbeddedAndContoursWithinTheTolerance)
 }
 
 //----------------------------------------------------------------------------
-/// On a convex solid, few vertices lie outside, so that the middles of sides lie about on the surface.
+/// On a convex solid, few vertices lie outside, so that the middles of sides lie about on the
+/// surface.
 TEST(LightenArcs, VerticesAreMovedToTheOutsideOfBulges)
 {
   const SmoothSolid solid = SmoothEllipsoid();

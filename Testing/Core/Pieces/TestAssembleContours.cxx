@@ -49,7 +49,8 @@ Loop LoopOf(const Contours& contours, Index contour)
   return loop;
 }
 
-/// The same for every start and direction: begins at the least vertex, goes to the lesser neighbour.
+/// The same for every start and direction: begins at the least vertex, goes to the lesser
+/// neighbour.
 Loop Canonical(Loop loop)
 {
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());

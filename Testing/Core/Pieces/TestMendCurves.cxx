@@ -277,8 +277,8 @@ TEST(ImageBorder, OtherAxesSeeTheSameSide)
 }
 
 //----------------------------------------------------------------------------
-/// Where other contours reach farther, a border is found only if it is given; of the axes that are not
-/// given it is found as before.
+/// Where other contours reach farther, a border is found only if it is given; of the axes that are
+/// not given it is found as before.
 TEST(ImageBorder, GivenSidesNeedNotBeFound)
 {
   OpenCurve farther = Arc(5.0, 355.0, 7, { 8.0, 3.0 });

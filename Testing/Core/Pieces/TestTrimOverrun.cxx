@@ -13,7 +13,8 @@ namespace
 {
 constexpr double Pi = 3.14159265358979323846;
 
-/// Points of a circle of radius 10 in steps of a hundredth of the round, from number `from` to `to`.
+/// Points of a circle of radius 10 in steps of a hundredth of the round, from number `from` to
+/// `to`.
 OpenCurve Arc(int from, int to, double radius = 10.0)
 {
   OpenCurve curve;

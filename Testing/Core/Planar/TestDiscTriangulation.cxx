@@ -215,7 +215,8 @@ void ExpectValid(const DiscTriangulation& disc, const Polygon& polygon)
   EXPECT_NEAR(area, SignedArea(polygon), 1e-12 * area);
 }
 
-/// No diagonal has the opposite point of its neighbour inside the circumcircle, unless it must stay.
+/// No diagonal has the opposite point of its neighbour inside the circumcircle, unless it must
+/// stay.
 void ExpectDelaunay(const DiscTriangulation& disc)
 {
   for (const auto& t : disc.Triangles)

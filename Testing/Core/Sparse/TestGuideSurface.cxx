@@ -138,7 +138,8 @@ TEST(AddGuides, FamiliesCutAndNumberCells)
 }
 
 //----------------------------------------------------------------------------
-/// The cut of the end between its two fixed points lies on the guide, corners included, and is fixed.
+/// The cut of the end between its two fixed points lies on the guide, corners included, and is
+/// fixed.
 TEST(GuideSurface, TheCutLiesOnTheGuides)
 {
   GuideCurves curves = CurvesAcross("1.5");

@@ -114,8 +114,8 @@ TEST(RaiseEnds, PatchesMoveOutToTheirRim)
   GuidedStack stack("-1,0 1,0 1,2 1.1,2.4 -1.1,2.4 -1,2");
   const SurfaceMesh mesh = stack.MakeMesh();
   EXPECT_NEAR(Highest(mesh), 2.4, 1e-12);
-  // A prism, whose flat base lies CentralPointMargin beyond its slice in the middle, and the frustum of
-  // a pyramid on it.
+  // A prism, whose flat base lies CentralPointMargin beyond its slice in the middle, and the
+  // frustum of a pyramid on it.
   EXPECT_NEAR(VolumeOf(mesh), 8.0 + 0.4 / 3.0 * (4.0 + 4.84 + std::sqrt(4.0 * 4.84)), 2e-3);
   Index onRim = 0;
   for (Index point = 0; point < mesh.Corners.PointCount(); ++point)

@@ -4,9 +4,9 @@
  * @file
  * @brief   the guarantees where virtual slices are added: one family, two, a stack with few across
  *
- * What is true of a surface from real slices has to be true of one with virtual slices between them,
- * and the report must be that of the real ones. ORTHOGONAL_SLICES_RUNS and ORTHOGONAL_SLICES_SEED
- * set the number of random inputs of each kind and the first of them.
+ * What is true of a surface from real slices has to be true of one with virtual slices between
+ * them, and the report must be that of the real ones. ORTHOGONAL_SLICES_RUNS and
+ * ORTHOGONAL_SLICES_SEED set the number of random inputs of each kind and the first of them.
  */
 
 #include "Core/Reconstruct.h"
@@ -183,8 +183,8 @@ TEST(SparseGuarantees, ContoursOfRealSlicesAreKept)
 }
 
 //----------------------------------------------------------------------------
-/// Where a surface bends, virtual slices change the shape between real ones, but never what is connected
-/// to what.
+/// Where a surface bends, virtual slices change the shape between real ones, but never what is
+/// connected to what.
 TEST(SparseGuarantees, TopologyIsThatOfTheRealSlices)
 {
   VisitAll(60,
@@ -369,10 +369,11 @@ TEST(SparseGuarantees, HoldInSinglePrecision)
 //----------------------------------------------------------------------------
 namespace
 {
-/// Whether the topology is the same, the result has virtual slices, and the volume: what no change of
-/// the description may change. The fair surface is a mesh with edges half as long as slices are apart;
-/// which of its edges collapse first follows the numbers of its points, and with it what flat
-/// triangles cut off. Of the thinnest of these solids, between seven slices, that is 1.3 per cent.
+/// Whether the topology is the same, the result has virtual slices, and the volume: what no change
+/// of the description may change. The fair surface is a mesh with edges half as long as slices are
+/// apart; which of its edges collapse first follows the numbers of its points, and with it what
+/// flat triangles cut off. Of the thinnest of these solids, between seven slices, that is 1.3 per
+/// cent.
 void ExpectAlike(const Reconstruction& a, const Reconstruction& b, double factor = 1.0)
 {
   EXPECT_TRUE(a.Topology == b.Topology);
@@ -382,8 +383,8 @@ void ExpectAlike(const Reconstruction& a, const Reconstruction& b, double factor
 }
 }
 
-/// What lies in one slice alone would enclose nothing if it was bent: it keeps its domes, also beside
-/// other components.
+/// What lies in one slice alone would enclose nothing if it was bent: it keeps its domes, also
+/// beside other components.
 TEST(SparseGuarantees, ComponentsOnOneSliceKeepTheirVolume)
 {
   /// Of the component with the least volume.
@@ -456,8 +457,8 @@ TEST(SparseGuarantees, FlatEndsAreWhereSlicesAcrossShowThem)
   }
 }
 
-/// Walls and cavities by five or six slices that meet them and one across, or nine and two across, are as
-/// large as by many.
+/// Walls and cavities by five or six slices that meet them and one across, or nine and two across,
+/// are as large as by many.
 TEST(SparseGuarantees, FewSlicesWithOneAcrossShowWallsAndCavities)
 {
   for (const Solid& solid : { PlainBall(), Pipe(0.5), BallWithCavity(0.5) })

@@ -14,8 +14,8 @@ using namespace orthoslices::support;
 
 namespace
 {
-/// Three squares around the origin; the z-slice reaches `more` farther along +y than the x-slice, at
-/// one of the six node points.
+/// Three squares around the origin; the z-slice reaches `more` farther along +y than the x-slice,
+/// at one of the six node points.
 Reconstruction ThreeSquares(double more)
 {
   const std::string high = std::to_string(1.0 + more);
