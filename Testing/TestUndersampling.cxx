@@ -512,7 +512,7 @@ void VisitThinSolids(std::uint64_t usual, Visit&& visit)
 //----------------------------------------------------------------------------
 TEST(Undersampling, GuaranteesInBothPrecisions)
 {
-  VisitThinSolids(90,
+  VisitThinSolids(60,
     [](const PieceSets& sets)
     {
       for (const int type : { VTK_DOUBLE, VTK_FLOAT })
@@ -536,7 +536,7 @@ TEST(Undersampling, SameTopologyForPermutedAxesMirroredAndShuffled)
     { "shuffled", [](PieceSets& sets) { ShufflePieces(sets, 3); } },
     { "reversed", [](PieceSets& sets) { ReverseContours(sets, 0.5, 4); } },
   };
-  VisitThinSolids(60,
+  VisitThinSolids(30,
     [&](const PieceSets& sets)
     {
       SparseRun run(sets);
