@@ -314,7 +314,7 @@ void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
   HoldFlatComponents(mesh, stopped);
   const bool isPulled = weights != EdgeWeights::Uniform && mesh.StretchAxis >= 0;
   const RoundnessLoad load =
-    weights == EdgeWeights::RoundCotangents ? KeepRound(mesh) : RoundnessLoad();
+    weights == EdgeWeights::RoundCotangents ? KeepRound(bending, mesh) : RoundnessLoad();
   SlabPull pull;
   std::vector<Index> place;
   // Points that reach the end of their cell stay there; then the others are placed anew.

@@ -69,9 +69,8 @@ double WidthOf(const Box3& cell)
 }
 }
 
-RoundnessLoad KeepRound(const SurfaceMesh& mesh)
+RoundnessLoad KeepRound(const BendingOperator& bending, const SurfaceMesh& mesh)
 {
-  const BendingOperator bending = MakeBendingOperator(EdgeWeights::RoundCotangents, mesh);
   const Index count = mesh.Corners.PointCount();
   RoundnessLoad load{ std::vector<Point3>(count, Point3{}), std::vector<double>(count, 0.0) };
   const Columns normals = FindNormals(mesh);
@@ -101,5 +100,10 @@ RoundnessLoad KeepRound(const SurfaceMesh& mesh)
     load.Reach[point] = ShareOfEdge * std::sqrt(2.0 / std::sqrt(3.0) * area);
   }
   return load;
+}
+
+RoundnessLoad KeepRound(const SurfaceMesh& mesh)
+{
+  return KeepRound(MakeBendingOperator(EdgeWeights::RoundCotangents, mesh), mesh);
 }
 }

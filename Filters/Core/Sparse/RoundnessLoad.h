@@ -9,6 +9,8 @@
 
 namespace orthoslices
 {
+struct BendingOperator;
+
 /// What pushes the surface of least bending outwards, where it is round.
 struct RoundnessLoad
 {
@@ -32,7 +34,11 @@ struct RoundnessLoad
  * contours do not show, and a load on it would grow from one time to the next. And no point moves
  * farther than a quarter of an edge. Stretched points have no load: they are stretched so that
  * tubes keep their radius.
+ *
+ * REQUIRES: the operator is that of the mesh, with EdgeWeights::RoundCotangents.
  */
+RoundnessLoad KeepRound(const BendingOperator& bending, const SurfaceMesh& mesh);
+/// The same, with an operator that is made for it.
 RoundnessLoad KeepRound(const SurfaceMesh& mesh);
 }
 
