@@ -58,36 +58,36 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
   cells->SetData(offsets, connectivity);
 }
 
-/// The values of some of all points.
-std::vector<float> SelectTuples(
-  const std::vector<float>& values, std::size_t components, const std::vector<std::int64_t>& points)
+/// The normals of some of all points, x, y and z of each.
+std::vector<float> SelectNormals(
+  const std::vector<float>& normals, const std::vector<std::int64_t>& points)
 {
   std::vector<float> selected;
-  selected.reserve(components * points.size());
+  selected.reserve(3 * points.size());
   for (const std::int64_t point : points)
   {
-    const auto first = values.begin() + static_cast<std::ptrdiff_t>(components * point);
-    selected.insert(selected.end(), first, first + static_cast<std::ptrdiff_t>(components));
+    const auto first = normals.begin() + static_cast<std::ptrdiff_t>(3 * point);
+    selected.insert(selected.end(), first, first + 3);
   }
   return selected;
 }
 
-/// Distance of the two contours at the node points, 0 at all other points; of all or of some of
-/// them.
-void AddDisagreement(const Reconstruction& result, vtkIdType points,
+/// Distance of the two contours at the node points, which are the first of all points, 0 at all
+/// other ones; of `count` points, or of some of all, ascending.
+void AddDisagreement(const Reconstruction& result, vtkIdType count,
   const std::vector<std::int64_t>* some, vtkPointData* data)
 {
-  std::vector<float> values(points, 0.0f);
-  for (Index node = 0; node < result.Graph.Nodes; ++node)
+  float* out = AddArray<vtkFloatArray>(data, "Disagreement", 1, count)->GetPointer(0);
+  std::fill(out, out + count, 0.0f);
+  for (vtkIdType i = 0; i < count; ++i)
   {
-    values[node] = static_cast<float>(result.Nodes.Disagreement(node));
+    const std::int64_t point = some ? (*some)[i] : i;
+    if (point >= result.Graph.Nodes)
+    {
+      break;
+    }
+    out[i] = static_cast<float>(result.Nodes.Disagreement(static_cast<Index>(point)));
   }
-  if (some)
-  {
-    values = SelectTuples(values, 1, *some);
-  }
-  float* out = AddArray<vtkFloatArray>(data, "Disagreement", 1, values.size())->GetPointer(0);
-  std::copy(values.begin(), values.end(), out);
 }
 
 /**
@@ -197,13 +197,14 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   }
   surface->SetPolys(cells);
   AddFieldData(result, surface->GetFieldData());
-  AddDisagreement(result, allPoints, isImproved ? &origins : nullptr, surface->GetPointData());
+  AddDisagreement(
+    result, surface->GetNumberOfPoints(), isImproved ? &origins : nullptr, surface->GetPointData());
   std::vector<float> smooth = withNormals
     ? ListSmoothNormals(result.Normals, result.Surface, graphPoints, allPoints)
     : std::vector<float>();
   if (isImproved && !smooth.empty())
   {
-    smooth = SelectTuples(smooth, 3, origins);
+    smooth = SelectNormals(smooth, origins);
   }
   FillCellArrays(result, reportTolerance, surface->GetCellData());
   result = Reconstruction();

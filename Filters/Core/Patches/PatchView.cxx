@@ -71,19 +71,16 @@ bool PatchView::Set(const PatchBorder& border)
   this->Projected.resize(n);
   std::transform(this->LocalPlaces.begin(), this->LocalPlaces.end(), this->Projected.begin(),
     [this](const Point3& p) { return this->Project(p); });
-  this->ProjectedOutline = this->Projected;
+  this->HasOutline = false;
   return true;
 }
 
-void PatchView::SetOutline(const PatchBorder* outline)
+void PatchView::SetOutline(const PatchBorder& outline)
 {
-  this->ProjectedOutline = this->Projected;
-  if (outline != nullptr)
-  {
-    this->ProjectedOutline.resize(outline->Places.size());
-    std::transform(outline->Places.begin(), outline->Places.end(), this->ProjectedOutline.begin(),
-      [this](const Point3& p) { return this->Project(this->ToLocal(p)); });
-  }
+  this->HasOutline = true;
+  this->ProjectedOutline.resize(outline.Places.size());
+  std::transform(outline.Places.begin(), outline.Places.end(), this->ProjectedOutline.begin(),
+    [this](const Point3& p) { return this->Project(this->ToLocal(p)); });
 }
 
 double PatchView::Clamp(const Point2& p, const Box3& box, double z) const
@@ -116,8 +113,9 @@ bool PatchView::SeesAll(const InnerPatch& patch) const
     }
     inner[i] = this->Project(local);
   }
+  const std::vector<Point2>& outline = this->Outline();
   const auto at = [&](Index corner) -> const Point2&
-  { return corner >= 0 ? this->ProjectedOutline[corner] : inner[-1 - corner]; };
+  { return corner >= 0 ? outline[corner] : inner[-1 - corner]; };
   return std::all_of(patch.Triangles.begin(), patch.Triangles.end(),
     [&](const std::array<Index, 3>& t)
     {

@@ -45,8 +45,11 @@ public:
   const std::vector<Point2>& Border() const { return this->Projected; }
   /// The corners of the triangles on the border, seen likewise: those of the border, or of the
   /// outline that was set after it.
-  const std::vector<Point2>& Outline() const { return this->ProjectedOutline; }
-  void SetOutline(const PatchBorder* outline);
+  const std::vector<Point2>& Outline() const
+  {
+    return this->HasOutline ? this->ProjectedOutline : this->Projected;
+  }
+  void SetOutline(const PatchBorder& outline);
   double Radius() const { return this->Unit; }
 
   Point3 ToLocal(const Point3& place) const
@@ -86,6 +89,7 @@ private:
   double Bend = 0.0; ///< 1 / distance of the center of the lines, behind the origin
   std::vector<Point3> LocalPlaces, LocalNormals;
   std::vector<Point2> Projected, ProjectedOutline;
+  bool HasOutline = false; ///< else the border is its own
 };
 }
 

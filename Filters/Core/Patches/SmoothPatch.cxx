@@ -235,7 +235,10 @@ bool SmoothPatchBuilder::Fit(const PatchBorder& border)
 /// Triangulates the outline as it is seen in the plane.
 bool SmoothPatchBuilder::Triangulate(const PatchBorder& border, const PatchBorder& outline)
 {
-  this->View.SetOutline(&border == &outline ? nullptr : &outline);
+  if (&outline != &border)
+  {
+    this->View.SetOutline(outline);
+  }
   const std::vector<Point2>& polygon = this->View.Outline();
   if (!this->Disc.StartWithFan(polygon, { 0.0, 0.0 }) && !this->Disc.StartWithEars(polygon))
   {
