@@ -225,6 +225,30 @@ bool CertainlyApartBeyond(const std::vector<int>& common, const std::array<Point
   return false;
 }
 
+void CommonCorners::Find(const std::array<Index, 3>& first, const std::array<Index, 3>& second)
+{
+  this->OfFirst.clear();
+  this->OfSecond.clear();
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      if (first[i] == second[j])
+      {
+        this->OfFirst.push_back(i);
+        this->OfSecond.push_back(j);
+      }
+    }
+  }
+}
+
+bool CertainlyApartBeyond(
+  const CommonCorners& common, const std::array<Point3, 3>& s, const std::array<Point3, 3>& t)
+{
+  return common.OfFirst.empty() ? CertainlyApart(s, t)
+                                : CertainlyApartBeyond(common.OfFirst, s, common.OfSecond, t);
+}
+
 double SignedArea(const std::vector<Point2>& polygon)
 {
   double sum = 0.0;

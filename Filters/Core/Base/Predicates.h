@@ -66,6 +66,18 @@ bool CertainlyApart(const std::array<Point3, 3>& s, const std::array<Point3, 3>&
 bool CertainlyApartBeyond(const std::vector<int>& common, const std::array<Point3, 3>& s,
   const std::vector<int>& commonOfOther, const std::array<Point3, 3>& t);
 
+/// The corners that two triangles have in common, by the numbers of their points.
+struct CommonCorners
+{
+  std::vector<int> OfFirst, OfSecond; ///< their places in each, in the same order
+
+  void Find(const std::array<Index, 3>& first, const std::array<Index, 3>& second);
+};
+
+/// Whether two triangles certainly meet in their common corners only.
+bool CertainlyApartBeyond(
+  const CommonCorners& common, const std::array<Point3, 3>& s, const std::array<Point3, 3>& t);
+
 /// Whether the corners of a triangle lie on one line in every projection.
 bool HasNoArea(const std::array<Point3, 3>& triangle);
 }

@@ -76,20 +76,9 @@ namespace
 /// Whether two triangles certainly meet in their common corners only.
 bool AreCompatible(const PatchTriangle& a, const PatchTriangle& b)
 {
-  std::vector<int> commonOfA, commonOfB;
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      if (a.Ids[i] == b.Ids[j])
-      {
-        commonOfA.push_back(i);
-        commonOfB.push_back(j);
-      }
-    }
-  }
-  return commonOfA.empty() ? CertainlyApart(a.Corners, b.Corners)
-                           : CertainlyApartBeyond(commonOfA, a.Corners, commonOfB, b.Corners);
+  CommonCorners common;
+  common.Find(a.Ids, b.Ids);
+  return CertainlyApartBeyond(common, a.Corners, b.Corners);
 }
 
 /// What a sweep has found out of a pair of patches.

@@ -155,26 +155,11 @@ public:
     const Triangle &s = this->Triangles[a], &t = this->Triangles[b];
     const std::array<Point3, 3> p{ this->Points[s[0]], this->Points[s[1]], this->Points[s[2]] };
     const std::array<Point3, 3> q{ this->Points[t[0]], this->Points[t[1]], this->Points[t[2]] };
-    this->OfFirst.clear();
-    this->OfSecond.clear();
-    for (int i = 0; i < 3; ++i)
-    {
-      for (int j = 0; j < 3; ++j)
-      {
-        if (s[i] == t[j])
-        {
-          this->OfFirst.push_back(i);
-          this->OfSecond.push_back(j);
-        }
-      }
-    }
-    if (this->OfFirst.size() == 1 &&
-      (IsOnOneSide(p, q, this->OfSecond[0]) || IsOnOneSide(q, p, this->OfFirst[0])))
-    {
-      return true;
-    }
-    return this->OfFirst.empty() ? CertainlyApart(p, q)
-                                 : CertainlyApartBeyond(this->OfFirst, p, this->OfSecond, q);
+    this->Common.Find(s, t);
+    const std::vector<int>&ofFirst = this->Common.OfFirst, &ofSecond = this->Common.OfSecond;
+    return (ofFirst.size() == 1 &&
+             (IsOnOneSide(p, q, ofSecond[0]) || IsOnOneSide(q, p, ofFirst[0]))) ||
+      CertainlyApartBeyond(this->Common, p, q);
   }
 
 private:
@@ -190,7 +175,7 @@ private:
 
   const std::vector<Point3>& Points;
   const std::vector<Triangle>& Triangles;
-  std::vector<int> OfFirst, OfSecond;
+  CommonCorners Common;
 };
 
 /// The tests of the marked triangles of one leaf of the tree.
