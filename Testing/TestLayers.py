@@ -31,7 +31,7 @@ ROOMS_BELOW = {
     "Core/Patches": ["Core/Cells"],
     "Core/Surface": ["Core/Slabs", "Core/Patches"],
     "Core/Sparse": ["Core/Surface", "Core/Slicing"],
-    "Core/Improve": ["Core/Sparse"],
+    "Core/Improve": ["Core/Surface"],
     "Core/Labels": ["Core/Sparse", "Core/Loops"],
     "Core": ["Core/Labels", "Core/Improve", "Core/Pieces", "Core/Frames"],
     "Bridge": ["Core"],

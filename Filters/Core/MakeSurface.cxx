@@ -129,6 +129,17 @@ bool BuildGraph(Pass& pass)
   return pass.GoOn(0.65);
 }
 
+/// Of the differences of slices at all node points.
+double SumOfSquaredDifferences(const NodePoints& nodes)
+{
+  double sum = 0.0;
+  for (const double difference : nodes.Difference)
+  {
+    sum += difference * difference;
+  }
+  return sum;
+}
+
 /// Cycles in each cell (section 4.3), and the patches that are not fans.
 bool PatchCells(Pass& pass)
 {
@@ -143,17 +154,12 @@ bool PatchCells(Pass& pass)
   pass.Finish(Stage::FindUndecidedPlaces);
   return pass.GoOn(0.7);
 }
-
 }
 
 bool DoSlicesAgree(const Reconstruction& result)
 {
   constexpr double maximum = 0.03;
-  double sum = 0.0;
-  for (const double difference : result.Nodes.Difference)
-  {
-    sum += difference * difference;
-  }
+  const double sum = SumOfSquaredDifferences(result.Nodes);
   const SpatialGrid& grid = result.Grid;
   const double spacing =
     std::min({ grid.MeanSpacing(0), grid.MeanSpacing(1), grid.MeanSpacing(2) });
@@ -170,13 +176,8 @@ namespace
 /// How far slices are from each other, RMS, in world units.
 double DisagreementOf(const Reconstruction& result)
 {
-  double sum = 0.0;
-  for (const double difference : result.Nodes.Difference)
-  {
-    sum += difference * difference;
-  }
   const Index count = CountRealNodes(result.Grid, result.Crossings, result.Nodes);
-  return std::sqrt(sum / std::max<Index>(1, count));
+  return std::sqrt(SumOfSquaredDifferences(result.Nodes) / std::max<Index>(1, count));
 }
 
 /// As accurate as asked for, in spacings, but not much more than the slices are; 0 for all
@@ -243,7 +244,6 @@ void ImproveIfLight(double accuracy, const LightGraph& light, Pass& pass)
 }
 }
 
-/// Normals along the contours, and the inside of the patches (section 5).
 bool FillCycles(const PatchOptions& options, Pass& pass)
 {
   Reconstruction& result = pass.Result;

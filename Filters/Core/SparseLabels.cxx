@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 
 /// The part of LabelRunner for slices that are sparse.
 namespace orthoslices
@@ -19,15 +18,16 @@ constexpr int RoundsOfAgreement = 2;
 /// the next one.
 constexpr double LargestShift = 0.02;
 
-/// The coordinates along an axis of all vertices of contours, each once.
-void AddCoordinates(const Contours& contours, int axis, std::set<double>& coordinates)
+/// Appends the coordinates along an axis of all vertices of contours that lie across others.
+void AddCoordinates(const Contours& contours, int axis, std::vector<double>& coordinates)
 {
   for (Index i = 0; i < contours.Count(); ++i)
   {
     if (contours.Axis[i] != axis)
     {
       const std::vector<double>& of = FirstAxis(contours.Axis[i]) == axis ? contours.U : contours.V;
-      coordinates.insert(of.begin() + contours.Offsets[i], of.begin() + contours.Offsets[i + 1]);
+      coordinates.insert(
+        coordinates.end(), of.begin() + contours.Offsets[i], of.begin() + contours.Offsets[i + 1]);
     }
   }
 }
@@ -42,18 +42,20 @@ void LabelRunner::MoveOffVertices(const SpatialGrid& grid, VirtualPlanes& planes
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    std::set<double> vertices;
+    std::vector<double> vertices;
     for (const LabelPass& pass : this->Passes)
     {
       AddCoordinates(pass.Stages.Tables.Contours, axis, vertices);
     }
-    std::set<double> all(this->Planes[axis].begin(), this->Planes[axis].end());
-    all.insert(planes[axis].begin(), planes[axis].end());
+    std::sort(vertices.begin(), vertices.end());
+    std::vector<double> all(this->Planes[axis]);
+    all.insert(all.end(), planes[axis].begin(), planes[axis].end());
+    std::sort(all.begin(), all.end());
     for (double& plane : planes[axis])
     {
-      const auto next = all.upper_bound(plane);
-      const auto vertex = vertices.upper_bound(plane);
-      if (vertices.count(plane) > 0 && next != all.end() && vertex != vertices.end())
+      const auto next = std::upper_bound(all.begin(), all.end(), plane);
+      const auto [at, vertex] = std::equal_range(vertices.begin(), vertices.end(), plane);
+      if (at != vertex && next != all.end() && vertex != vertices.end())
       {
         plane =
           grid.Round(plane + std::min(0.5 * (*vertex - plane), LargestShift * (*next - plane)));

@@ -255,11 +255,6 @@ bool SparseRunner::SketchWithoutField(Pass& pass) const
   return SparseRunner(sparse, pass).Run();
 }
 
-Index MostSlices(const SpatialGrid& grid)
-{
-  return std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
-}
-
 /// Makes the surface anew, with virtual slices of a field through all contours. That decides what
 /// the contours leave open, but not against them: what the first surface joins stays joined, and
 /// tunnels come in only where slices agree, if the field foretells them as well, and if one of
@@ -292,7 +287,7 @@ bool SparseRunner::FollowField()
   }
   const Contours added = CutField(field, first.Result.Grid, this->Sparse.Field, first.Execute);
   const bool mayAdd =
-    patchesByField >= asGood && DoSlicesAgree(first.Result) && MostSlices(first.Result.Grid) > 2;
+    patchesByField >= asGood && DoSlicesAgree(first.Result) && MostPlanes(first.Result.Grid) > 2;
   const FieldTopology right(first, mayAdd);
   return this->First.GoOn(1.0) &&
     this->RunAgain({ added, right.Known(), right, Everywhere(), ListGuiding(first.Settings) });

@@ -148,6 +148,28 @@ SurfaceMesh FreeSurface(const PlainMesh& mesh, double room)
   return surface;
 }
 
+TriangleMesh CopyUsed(const CornerTable& corners, const std::vector<Point3>& points)
+{
+  TriangleMesh plain;
+  std::vector<std::int64_t> number(points.size(), -1);
+  for (const auto& triangle : corners.ListTriangles())
+  {
+    std::array<std::int64_t, 3> ids;
+    for (int i = 0; i < 3; ++i)
+    {
+      std::int64_t& id = number[triangle[i]];
+      if (id < 0)
+      {
+        id = static_cast<std::int64_t>(plain.Points.size());
+        plain.Points.push_back(points[triangle[i]]);
+      }
+      ids[i] = id;
+    }
+    plain.Triangles.push_back(ids);
+  }
+  return plain;
+}
+
 void MakeFair(double length, SurfaceMesh& mesh, bool isPulled)
 {
   CollapseShortEdges(length, mesh);

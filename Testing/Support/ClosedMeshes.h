@@ -12,6 +12,7 @@
 #define OrthoSlicesClosedMeshes_h
 
 #include "Core/Sparse/SurfaceMesh.h"
+#include "Support/TriangleMesh.h"
 
 #include <vector>
 
@@ -51,6 +52,9 @@ PlainMesh RingMesh(Index segments, const std::vector<double>& radii,
  */
 SurfaceMesh RingSurface(
   const PlainMesh& mesh, Index segments, const std::vector<double>& heights, double room);
+
+/// The triangles that are left of a mesh, and the points that these use.
+TriangleMesh CopyUsed(const CornerTable& corners, const std::vector<Point3>& points);
 
 /// Nothing fixed, no curves, one cell of this size around the origin.
 SurfaceMesh FreeSurface(const PlainMesh& mesh, double room);

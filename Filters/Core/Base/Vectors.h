@@ -30,6 +30,11 @@ inline Point2 Between(const Point2& a, const Point2& b, double share)
 /// Never overflows, unlike the square root of the square, and takes more time than that.
 inline double Length(const Point2& a) { return std::hypot(a[0], a[1]); }
 inline double Distance(const Point2& a, const Point2& b) { return Length(b - a); }
+/// Without that care for very large and small numbers.
+inline double QuickDistance(const Point2& a, const Point2& b)
+{
+  return std::sqrt(SquaredDistance(a, b));
+}
 
 inline Point3 operator-(const Point3& a, const Point3& b)
 {

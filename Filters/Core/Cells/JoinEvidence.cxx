@@ -18,13 +18,6 @@ namespace
 /// little from that of all.
 constexpr Index MaxSamples = 16;
 
-/// Whether there are slices of one family only.
-bool AreParallel(const SpatialGrid& grid)
-{
-  return grid.Count(0) + grid.Count(1) + grid.Count(2) ==
-    std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
-}
-
 /// A join, and how far each of its two cycles, if it is a loop, is from the patch of the other.
 struct Candidate
 {
@@ -198,7 +191,7 @@ public:
     : Meter(tables)
     , Known(known)
     , PatchOf(patchOf)
-    , Parallel(AreParallel(tables.Geometry.Grid))
+    , Parallel(CountFamilies(tables.Geometry.Grid) <= 1)
   {
   }
 
@@ -339,7 +332,7 @@ std::vector<Candidate> CellJoins::Find(const Index* first, const Index* last)
 /// alone have isolated contours only, most of which go on in both.
 void RateContinuations(const CycleGeometry& geometry, std::vector<Candidate>& candidates)
 {
-  const bool parallel = AreParallel(geometry.Grid);
+  const bool parallel = CountFamilies(geometry.Grid) <= 1;
   struct Best
   {
     double Distance = std::numeric_limits<double>::infinity();

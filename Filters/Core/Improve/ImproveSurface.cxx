@@ -4,7 +4,6 @@
 
 #include "Core/Base/Box.h"
 #include "Core/Improve/FindCrossings.h"
-#include "Core/Sparse/SurfaceMesh.h"
 #include "Core/Surface/DescribePatches.h"
 
 #include <algorithm>

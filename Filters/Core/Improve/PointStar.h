@@ -3,7 +3,7 @@
 #ifndef OrthoSlicesPointStar_h
 #define OrthoSlicesPointStar_h
 
-#include "Core/Sparse/CornerTable.h"
+#include "Core/Surface/CornerTable.h"
 
 #include <vector>
 

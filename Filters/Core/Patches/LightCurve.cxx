@@ -20,9 +20,6 @@ constexpr int MaxEqualSides = 8;
 /// A parabola has two thirds of its height as mean distance from its chord.
 constexpr double HeightByMean = 1.5;
 
-/// Faster than hypot, whose care for very large and small numbers is not needed.
-double Span(const Point2& a, const Point2& b) { return std::sqrt(SquaredDistance(a, b)); }
-
 /// The deviation of the part of a curve between two places on it.
 CurveDeviation MeasureDeviation(
   const std::vector<Point2>& curve, const CurvePlace& from, const CurvePlace& to)
@@ -38,7 +35,7 @@ CurveDeviation MeasureDeviation(
     previous = curve[i];
   }
   twiceArea += Cross(previous - from.Place, to.Place - from.Place);
-  const double length = Span(from.Place, to.Place);
+  const double length = QuickDistance(from.Place, to.Place);
   // A curve to the right of its chord and the chord backwards run counter-clockwise.
   deviation.Height = length > 0.0 ? HeightByMean * 0.5 * twiceArea / length : 0.0;
   return deviation;
@@ -109,7 +106,7 @@ LightCurve LightenCurve(const std::vector<Point2>& curve, double tolerance)
   std::vector<double> lengths(curve.size(), 0.0);
   for (std::size_t i = 1; i < curve.size(); ++i)
   {
-    lengths[i] = lengths[i - 1] + Span(curve[i - 1], curve[i]);
+    lengths[i] = lengths[i - 1] + QuickDistance(curve[i - 1], curve[i]);
   }
   int parts = 1;
   bool isNear = false;

@@ -25,9 +25,6 @@ constexpr double ShareOfRoom = 0.25;
 /// on edges that run along the surface do not move far.
 constexpr double LeastSquaredCosine = 0.05;
 
-/// Faster than hypot, whose care for very large and small numbers is not needed.
-double Span(const Point2& a, const Point2& b) { return std::sqrt(SquaredDistance(a, b)); }
-
 /// How far the end of two sides is to move to the right, so that both leave as much on one side as
 /// on the other; not where one of them replaces a corner.
 double BalanceOf(const CurveDeviation& before, double lengthBefore, const CurveDeviation& after,
@@ -144,8 +141,9 @@ void ArcLightener::DrawPart(
   const std::size_t sides = light.Sides.size();
   const auto balance = [&](std::size_t before, std::size_t after)
   {
-    return BalanceOf(light.Sides[before], Span(places[before].Place, places[before + 1].Place),
-      light.Sides[after], Span(places[after].Place, places[after + 1].Place));
+    return BalanceOf(light.Sides[before],
+      QuickDistance(places[before].Place, places[before + 1].Place), light.Sides[after],
+      QuickDistance(places[after].Place, places[after + 1].Place));
   };
   const SpatialGrid& grid = this->Geometry.Grid;
   for (std::size_t i = 1; i < sides; ++i)
@@ -306,10 +304,7 @@ void Assemble(const std::vector<ArcDrawing>& arcs, const std::vector<double>& mo
       after.Corners.end(), before.Corners.begin() + ofArcs, before.Corners.end());
   }
 }
-}
 
-namespace
-{
 /// Draws the arcs that are not fixed, and moves their node points.
 void DrawLight(const ArcSurface& surface, const ArcLightener& lightener, const ArcsByFace& faces,
   const FixedArcs& fixed, const Execution& execution, LightGraph& light)

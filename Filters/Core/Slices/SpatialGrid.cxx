@@ -73,6 +73,11 @@ int CountFamilies(const SpatialGrid& grid)
   return families;
 }
 
+Index MostPlanes(const SpatialGrid& grid)
+{
+  return std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
+}
+
 int FindOnlyFamily(const SpatialGrid& grid)
 {
   int families = 0;

@@ -190,6 +190,9 @@ struct SpatialGrid
 /// The number of axes that have planes.
 int CountFamilies(const SpatialGrid& grid);
 
+/// The number of planes of the axis that has most.
+Index MostPlanes(const SpatialGrid& grid);
+
 /// The axis of the only family of slices; -1 if there are none or several.
 int FindOnlyFamily(const SpatialGrid& grid);
 

@@ -230,29 +230,6 @@ void SplitEdge(Index corner, double share, SurfaceMesh& mesh)
   mesh.Corners.Split(corner);
 }
 
-SurfaceTriangles ListTriangles(
-  const CycleGeometry& geometry, const Patches& patches, const Execution& execution)
-{
-  SurfaceTriangles result;
-  const auto append = [&](const std::vector<double>& values)
-  {
-    for (std::size_t i = 0; i + 2 < values.size(); i += 3)
-    {
-      result.Points.push_back({ values[i], values[i + 1], values[i + 2] });
-    }
-  };
-  append(geometry.Graph.Points);
-  append(patches.CentralPoints);
-  append(ListOtherPoints(patches));
-  std::vector<std::int32_t> ids(3 * static_cast<std::size_t>(patches.TriangleCount()));
-  WriteTriangles(patches, geometry, execution, ids.data());
-  for (std::size_t t = 0; t < ids.size(); t += 3)
-  {
-    result.Triangles.push_back({ ids[t], ids[t + 1], ids[t + 2] });
-  }
-  return result;
-}
-
 SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patches,
   GuideCurves& guides, const Execution& execution)
 {

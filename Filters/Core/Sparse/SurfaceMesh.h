@@ -4,8 +4,8 @@
 #define OrthoSlicesSurfaceMesh_h
 
 #include "Core/Base/Box.h"
-#include "Core/Sparse/CornerTable.h"
 #include "Core/Sparse/GuideCurves.h"
+#include "Core/Surface/CornerTable.h"
 #include "Core/Surface/LayOutTriangles.h"
 
 #include <vector>
@@ -84,17 +84,6 @@ struct SurfaceMesh
 /// Puts a point on the edge of a corner, after a share of the way from its start to its end. On a
 /// curve the point is fixed; it is on a crease if both ends are.
 void SplitEdge(Index corner, double share, SurfaceMesh& mesh);
-
-/// Triangles of points that they may share.
-struct SurfaceTriangles
-{
-  std::vector<Point3> Points;
-  std::vector<std::array<Index, 3>> Triangles; ///< counter-clockwise seen from outside
-};
-
-/// REQUIRES: the patches are laid out as triangles, and these not improved.
-SurfaceTriangles ListTriangles(
-  const CycleGeometry& geometry, const Patches& patches, const Execution& execution);
 
 /**
  * The surface of `patches` with the arcs and loops of G as curves, whose points are fixed. Cells

@@ -17,7 +17,7 @@ constexpr double ManyPlanes = 64.0;
 /// A stack of so many slices and a few across is no longer few.
 constexpr double FewInStack = 17.0;
 /// And a spacing that was given gets no more than so many.
-constexpr double MostPlanes = 1024.0;
+constexpr double PlanesAtMost = 1024.0;
 /// A slab is divided if its halves are not much narrower than wanted.
 constexpr double WideSlab = 1.4;
 /// An axis has few planes if another one has so many times more.
@@ -68,7 +68,7 @@ int FindStack(const SpatialGrid& grid)
 /// many more with a few across. Stacks of fewer are left to the slices across.
 bool HasFewOfAll(const SpatialGrid& grid)
 {
-  const Index most = std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
+  const Index most = MostPlanes(grid);
   return CountFamilies(grid) > 1 &&
     (FindStack(grid) < 0 ? most < FewPlanes : most >= EnoughPlanes && most < FewInStack);
 }
@@ -102,10 +102,10 @@ SliceDensity::SliceDensity(
   this->Stack = FindStack(grid);
   this->IsFine = !ofField && this->Stack < 0 && CountFamilies(grid) == 2;
   const double densest = DensestSpacing(grid);
-  const Index most = std::max({ grid.Count(0), grid.Count(1), grid.Count(2) });
+  const Index most = MostPlanes(grid);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double given = std::max(spacing, extent[axis] / MostPlanes);
+    const double given = std::max(spacing, extent[axis] / PlanesAtMost);
     this->Target[axis] = spacing > 0.0
       ? given
       : std::clamp(densest, extent[axis] / ManyPlanes, extent[axis] / FewPlanes);

@@ -64,6 +64,17 @@ extern template void WriteTriangles(
   const Patches&, const CycleGeometry&, const Execution&, std::int32_t*);
 extern template void WriteTriangles(
   const Patches&, const CycleGeometry&, const Execution&, long long*);
+
+/// Triangles of points that they may share.
+struct SurfaceTriangles
+{
+  std::vector<Point3> Points;
+  std::vector<std::array<Index, 3>> Triangles; ///< counter-clockwise seen from outside
+};
+
+/// REQUIRES: the patches are laid out as triangles, and these not improved.
+SurfaceTriangles ListTriangles(
+  const CycleGeometry& geometry, const Patches& patches, const Execution& execution);
 }
 
 #endif

@@ -32,24 +32,7 @@ SurfaceMesh BallOfRings()
 
 SurfaceCheck Check(const SurfaceMesh& mesh)
 {
-  TriangleMesh plain;
-  std::vector<std::int64_t> number(mesh.Points.size(), -1);
-  for (const auto& triangle : mesh.Corners.ListTriangles())
-  {
-    std::array<std::int64_t, 3> ids;
-    for (int i = 0; i < 3; ++i)
-    {
-      std::int64_t& id = number[triangle[i]];
-      if (id < 0)
-      {
-        id = static_cast<std::int64_t>(plain.Points.size());
-        plain.Points.push_back(mesh.Points[triangle[i]]);
-      }
-      ids[i] = id;
-    }
-    plain.Triangles.push_back(ids);
-  }
-  return CheckSurface(plain);
+  return CheckSurface(CopyUsed(mesh.Corners, mesh.Points));
 }
 
 void ExpectComplete(const SurfaceMesh& mesh)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Sparse/CornerTable.h"
+#include "Core/Surface/CornerTable.h"
 
 #include "Support/CheckSurface.h"
 #include "Support/ClosedMeshes.h"
