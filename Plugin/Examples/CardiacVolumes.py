@@ -16,13 +16,13 @@ structures endo and epi, the mass of the muscle between them.
     --out FILE.vtp    all surfaces, with the cell array Label and a part for each phase
 """
 
-import argparse
 import os
 import sys
 
 from Formats import Surfaces, read_structures
+from Formats.Command import parser_of, status_of
 from Formats.Filter import load_package
-from Formats.Structures import FormatError, Structure
+from Formats.Structures import Structure
 
 # Of heart muscle, in grams per millilitre.
 DENSITY = 1.05
@@ -59,23 +59,19 @@ def describe(phases):
 
 
 def main(arguments):
-    if not arguments or {"-h", "--help"}.intersection(arguments):
-        sys.exit(__doc__)
-    parser = argparse.ArgumentParser(usage="CardiacVolumes.py PHASE [PHASE ...] [--out FILE.vtp]",
-                                     add_help=False)
+    parser = parser_of(arguments, "CardiacVolumes.py PHASE [PHASE ...] [--out FILE.vtp]", __doc__)
     parser.add_argument("phases", nargs="+")
     parser.add_argument("--out")
     options = parser.parse_args(arguments)
-    surfaces = []
-    try:
+
+    def measure():
+        surfaces = []
         for line in describe([volumes_of(path, surfaces) for path in options.phases]):
             print(line)
         if options.out:
             Surfaces.write_surfaces(surfaces, options.out)
-        return 0
-    except (FormatError, RuntimeError) as error:
-        print(error, file=sys.stderr)
-        return 1
+
+    return status_of(measure)
 
 
 if __name__ == "__main__":

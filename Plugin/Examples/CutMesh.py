@@ -13,7 +13,6 @@ Meshes are read from .stl, .obj, .ply and .vtp, surfaces written as the same. Po
 has several times are merged.
 """
 
-import argparse
 import os
 import sys
 
@@ -26,6 +25,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from Formats import Surfaces
+from Formats.Command import parser_of, status_of
 from Formats.Filter import load_filters, load_package
 from Formats.Structures import FormatError, run
 
@@ -74,15 +74,14 @@ def distances(points, mesh):
 
 
 def main(arguments):
-    if not arguments or {"-h", "--help"}.intersection(arguments):
-        sys.exit(__doc__)
-    parser = argparse.ArgumentParser(usage="CutMesh.py MESH OUT [options]", add_help=False)
+    parser = parser_of(arguments, "CutMesh.py MESH OUT [options]", __doc__)
     parser.add_argument("mesh")
     parser.add_argument("out")
     parser.add_argument("--slices", type=int, nargs="+", default=[16, 32])
     parser.add_argument("--stack", choices=("x", "y", "z"))
     options = parser.parse_args(arguments)
-    try:
+
+    def compare():
         reconstruct = load_package().reconstruct
         mesh = read_mesh(options.mesh)
         diagonal = mesh.GetLength()
@@ -97,10 +96,8 @@ def main(arguments):
                   f"{report.fields['TotalGenus']:6} {numpy.sqrt(numpy.mean(off**2)):15.2e} "
                   f"{off.max():20.2e}")
         Surfaces.write(report.surface, options.out)
-        return 0
-    except (FormatError, RuntimeError) as error:
-        print(error, file=sys.stderr)
-        return 1
+
+    return status_of(compare)
 
 
 if __name__ == "__main__":

@@ -16,14 +16,14 @@ Printed are volume and area of each body, and the section that would settle most
 sections leave open. The surfaces lie where the sections do, in the unit of the table.
 """
 
-import argparse
 import sys
 
 import numpy
 
 from Formats import Surfaces, read_structures
+from Formats.Command import parser_of, status_of
 from Formats.Filter import load_package
-from Formats.Structures import FormatError, polylines
+from Formats.Structures import polylines
 
 
 def stretched(loops, factor):
@@ -53,17 +53,15 @@ def next_section(report, factor):
 
 
 def main(arguments):
-    if not arguments or {"-h", "--help"}.intersection(arguments):
-        sys.exit(__doc__)
-    parser = argparse.ArgumentParser(usage="FenceSections.py TABLE OUT [--exaggerate F]",
-                                     add_help=False)
+    parser = parser_of(arguments, "FenceSections.py TABLE OUT [--exaggerate F]", __doc__)
     parser.add_argument("table")
     parser.add_argument("out")
     parser.add_argument("--exaggerate", type=float, default=1.0)
     options = parser.parse_args(arguments)
     factor = options.exaggerate
-    surfaces = []
-    try:
+
+    def make_bodies():
+        surfaces = []
         reconstruct = load_package().reconstruct
         for body in read_structures(options.table):
             points, triangles, report = reconstruct(contours=stretched(body.loops, factor))
@@ -75,10 +73,8 @@ def main(arguments):
                   + next_section(report, factor))
             surfaces.append((body, report.surface))
         Surfaces.write_surfaces(surfaces, options.out)
-        return 0
-    except (FormatError, RuntimeError) as error:
-        print(error, file=sys.stderr)
-        return 1
+
+    return status_of(make_bodies)
 
 
 if __name__ == "__main__":

@@ -36,23 +36,20 @@ Medical formats come and go in one frame: LPS, as DICOM has it, in millimetres. 
 fails is reported and does not keep the others from being written; the exit status is 1 then.
 """
 
-import argparse
 import os
 import sys
 
 from vtkmodules.vtkFiltersCore import vtkMassProperties
 
 from Formats import LabelMaps, Surfaces, read_structures
+from Formats.Command import parser_of
 from Formats.Filter import reconstruct
 from Formats.LabelNames import name_structures, read_label_names
 from Formats.Structures import FormatError, merged
 
 
 def parse(arguments):
-    if not arguments or {"-h", "--help"}.intersection(arguments):
-        sys.exit(__doc__)
-    parser = argparse.ArgumentParser(usage="ReconstructAny.py IN [IN ...] OUT [options]",
-                                     add_help=False)
+    parser = parser_of(arguments, "ReconstructAny.py IN [IN ...] OUT [options]", __doc__)
     parser.add_argument("files", nargs="+")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--contours")
