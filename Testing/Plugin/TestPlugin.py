@@ -278,16 +278,19 @@ def check_properties_of_parallel():
     rec = reconstruct_sliced(slicer)
     own, others = (set(proxy.ListProperties()) for proxy in (parallel, rec))
     check(own - others == {"Input"}, f"of its own: {own - others}")
-    families = {"XSlices", "YSlices", "ZSlices", "Contours", "CellArrayNames", "AxisWeights",
+    families = {"XSlices", "YSlices", "Contours", "CellArrayNames", "AxisWeights",
                 "ReportTolerance", "FollowField", "SeveralCycles", "MinimumIsolatedContourSize",
                 "ContourTolerance", "CentralPoint"}
     check(others - own == families, f"it lacks {others - own - families}, has {families & own}")
-    for name in own & others - {"LabelArray"}:
+    for name in own & others - {"LabelArray", "ZSlices"}:
         values = [proxy.GetPropertyValue(name) for proxy in (parallel, rec)]
         check(str(values[0]) == str(values[1]), f"{name} is {values}")
         enums = [getattr(proxy.GetProperty(name), "Available", None) for proxy in (parallel, rec)]
         check(enums[0] == enums[1], f"{name} offers {enums}")
     smooth = fetch(parallel)
+    simple.SetActiveSource(simple.Sphere())  # is no input, as ZSlices names another one
+    named = simple.ParallelSliceReconstruction(ZSlices=simple.OutputPort(slicer, 2))
+    check(fetch(named).GetNumberOfCells() == smooth.GetNumberOfCells(), "ZSlices is no Input")
     parallel.EdgeLength = 0.5
     check(fetch(parallel).GetNumberOfCells() < smooth.GetNumberOfCells(), "no coarser triangles")
 
