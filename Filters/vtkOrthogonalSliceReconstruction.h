@@ -25,7 +25,8 @@
  * Where slices are too few for that, with one stack, two families or a stack with a few slices
  * across, the surface of the same topology that bends least between the contours is cut on
  * *virtual* planes between the real ones, and the surface is made once more from all of them
- * (VirtualSlices).
+ * (VirtualSlices). Through a few slices of several families, a smooth field may take the place of
+ * that surface (FollowField).
  *
  * @section Inputs Inputs
  * Ports 0, 1 and 2: contours on planes of constant x, y and z. Port 3: contours on planes of any
