@@ -49,6 +49,7 @@ TiltAlongContour::TiltAlongContour(const ContourRing& ring)
   , Total(ring.Measured.Curve.LengthTo(ring.Measured.Curve.Count()))
 {
   this->SampleNodePoints();
+  this->FindCorners();
   this->SetSlopes();
   this->Fitted = this->Samples.size();
 }
@@ -61,7 +62,6 @@ void TiltAlongContour::SampleNodePoints()
   const int u = FirstAxis(ring.Axis), v = SecondAxis(ring.Axis);
   std::vector<Sample>& samples = this->Samples;
   bool corner = false; // since the last sample
-  bool firstCorner = false;
   for (Index i = 0; i < ring.Measured.Curve.Count(); ++i)
   {
     corner |= ring.Measured.Curve.IsCorner(i);
@@ -83,23 +83,40 @@ void TiltAlongContour::SampleNodePoints()
     }
     if (isNear)
     {
-      corner = samples.size() > 1 ? samples[samples.size() - 2].CornerAfter : firstCorner;
       samples.pop_back();
     }
-    if (!samples.empty())
-    {
-      samples.back().CornerAfter = corner;
-    }
-    else
-    {
-      firstCorner = corner;
-    }
-    samples.push_back({ i, length, tilt, weight, 0.0, false });
+    samples.push_back({ i, length, tilt, weight, 0.0 });
     corner = false;
   }
-  if (!samples.empty())
+}
+
+/// Files the corners of the contour with the samples before them.
+void TiltAlongContour::FindCorners()
+{
+  const std::size_t n = this->Samples.size();
+  const ContourCurve& curve = this->Ring.Measured.Curve;
+  if (n == 0)
   {
-    samples.back().CornerAfter = corner || firstCorner;
+    return;
+  }
+  // Those before the first sample come after the last one, once around.
+  std::size_t next = 0;
+  const Index first = this->Samples[0].Place;
+  for (Index k = 0; k < curve.Count(); ++k)
+  {
+    const Index point = (first + k) % curve.Count();
+    while (next < n && this->Samples[next].Place == point)
+    {
+      ++next;
+    }
+    if (curve.IsCorner(point))
+    {
+      Sample& before = this->Samples[next - 1];
+      const double length = curve.LengthTo(point) - before.Length;
+      const double gone = length < 0.0 ? length + this->Total : length;
+      before.FirstCorner = before.CornerAfter() ? before.FirstCorner : gone;
+      before.LastCorner = gone;
+    }
   }
 }
 
@@ -114,7 +131,7 @@ void TiltAlongContour::SetSlopes()
     Sample& s = this->Samples[i];
     const double before = s.Length - p.Length + (i > 0 ? 0.0 : this->Total);
     const double after = q.Length - s.Length + (i + 1 < n ? 0.0 : this->Total);
-    if (!p.CornerAfter && !s.CornerAfter && before > 0.0 && after > 0.0)
+    if (!p.CornerAfter() && !s.CornerAfter() && before > 0.0 && after > 0.0)
     {
       s.Slope = ((s.Tilt - p.Tilt) / before * after + (q.Tilt - s.Tilt) / after * before) /
         (before + after);
@@ -122,13 +139,22 @@ void TiltAlongContour::SetSlopes()
   }
 }
 
+/// The tilt between two samples with corners between them, `gone` from the first one: that of the
+/// sample on the same side of all corners, and between corners of the nearer one.
+double TiltAlongContour::TiltBesideCorners(
+  const Sample& p, const Sample& q, double length, double gone)
+{
+  const double border = std::clamp(0.5 * length, p.FirstCorner, p.LastCorner);
+  return gone < border ? p.Tilt : q.Tilt;
+}
+
 /// The tilt between two samples that are `length` apart, at a share of the way from 0 to 1.
 double TiltAlongContour::Interpolate(const Sample& p, const Sample& q, double length, double share)
 {
   const double x = share;
-  if (p.CornerAfter)
+  if (p.CornerAfter())
   {
-    return x < 0.5 ? p.Tilt : q.Tilt;
+    return TiltBesideCorners(p, q, length, x * length);
   }
   const double y = 1.0 - x;
   const double tilt = y * y * (1.0 + 2.0 * x) * p.Tilt + x * x * (1.0 + 2.0 * y) * q.Tilt +
@@ -177,7 +203,7 @@ void TiltAlongContour::FitSlope(std::size_t before)
   const Sample &o = at(n - 1), &p = at(0), &q = at(1), &r = at(2);
   Fit& fit = this->Height;
   fit.Valid = false;
-  if (!curve.IsExact() || n < 3 || p.CornerAfter ||
+  if (!curve.IsExact() || n < 3 || p.CornerAfter() ||
     std::min(std::abs(p.Tilt), std::abs(q.Tilt)) < MinSteepTilt || (p.Tilt > 0.0) != (q.Tilt > 0.0))
   {
     return;
@@ -185,8 +211,9 @@ void TiltAlongContour::FitSlope(std::size_t before)
   const auto isUsed = [&](const Sample& s)
   { return std::abs(s.Tilt) >= MinSteepTilt && (s.Tilt > 0.0) == (p.Tilt > 0.0); };
   const Index total = curve.Count();
-  const Index first = isUsed(o) && !o.CornerAfter ? o.Place : p.Place;
-  const Index last = isUsed(r) && !q.CornerAfter && (n > 3 || first == p.Place) ? r.Place : q.Place;
+  const Index first = isUsed(o) && !o.CornerAfter() ? o.Place : p.Place;
+  const Index last =
+    isUsed(r) && !q.CornerAfter() && (n > 3 || first == p.Place) ? r.Place : q.Place;
   fit.Sign = p.Tilt > 0.0 ? 1.0 : -1.0;
   const Point2 &a = curve[p.Place], &b = curve[q.Place];
   fit.Slope.Start({ 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]) }, SizeOfFit * this->Ring.Spacing);

@@ -53,7 +53,8 @@ struct ContourRing
  * It is known at node points and interpolated between them by cubics (E. Catmull and R. Rom, 1974).
  * Where the surface runs nearly along the slice, the tilt changes as fast as the contour turns
  * there; it then follows from the slope of a height over the slice (SlopeOverSlice), if that has
- * the known tilts. Nothing is interpolated across corners of the contour.
+ * the known tilts. Nothing is interpolated across corners of the contour: on either side of one the
+ * tilt is that of the sample there.
  */
 class TiltAlongContour
 {
@@ -71,12 +72,16 @@ private:
   /// The tilt at a node point.
   struct Sample
   {
-    Index Place;      ///< point of the ring
-    double Length;    ///< along the contour, from its first point
-    double Tilt;      ///< radians
-    double Weight;    ///< square of the sine of the angle between the contours
-    double Slope;     ///< radians per length, where the interpolation is not broken by a corner
-    bool CornerAfter; ///< whether the contour has a corner between this sample and the next
+    Index Place;   ///< point of the ring
+    double Length; ///< along the contour, from its first point
+    double Tilt;   ///< radians
+    double Weight; ///< square of the sine of the angle between the contours
+    double Slope;  ///< radians per length, where the interpolation is not broken by a corner
+    /// How far from here, before the next sample, the contour has its first corner and its last
+    /// one; negative if it has none.
+    double FirstCorner = -1.0, LastCorner = -1.0;
+
+    bool CornerAfter() const { return this->FirstCorner >= 0.0; }
   };
 
   /// The slope over the slice between two samples, and by how much it misses their tilts.
@@ -89,10 +94,12 @@ private:
   };
 
   void SampleNodePoints();
+  void FindCorners();
   void SetSlopes();
   void FitSlope(std::size_t before);
   void AddPart(Index first, Index count);
   double FittedTilt(Index point, double other) const;
+  static double TiltBesideCorners(const Sample& p, const Sample& q, double length, double gone);
   static double Interpolate(const Sample& p, const Sample& q, double length, double share);
 
   const ContourRing& Ring;

@@ -67,8 +67,9 @@ struct Ellipsoid
   }
 };
 
-/// A square with its corners at points 0, count, ...; a normal is known in the middle of each side.
-ContourRing Square(int count, const std::array<double, 4>& tilts)
+/// A square with its corners at points 0, count, ...; of each side one normal is known, at a point
+/// of it.
+ContourRing Square(int count, const std::array<double, 4>& tilts, const std::array<int, 4>& known)
 {
   ContourRing ring;
   ring.Axis = 2;
@@ -84,8 +85,8 @@ ContourRing Square(int count, const std::array<double, 4>& tilts)
       points.push_back(
         { corners[side][0] + 2.0 * u * i / count, corners[side][1] + 2.0 * v * i / count });
       ring.Tangents.push_back({ static_cast<float>(u), static_cast<float>(v) });
-      const double c = 2 * i == count ? std::cos(tilts[side]) : 0.0;
-      const double s = 2 * i == count ? std::sin(tilts[side]) : 0.0;
+      const double c = i == known[side] ? std::cos(tilts[side]) : 0.0;
+      const double s = i == known[side] ? std::sin(tilts[side]) : 0.0;
       ring.KnownNormals.push_back(
         { static_cast<float>(c * v), static_cast<float>(-c * u), static_cast<float>(s) });
     }
@@ -145,19 +146,24 @@ TEST(TiltAlongContour, OfANearlyParallelSurfaceFollowsItsHeight)
 }
 
 //----------------------------------------------------------------------------
+/// Wherever the normals are known: near the corners, or far from them.
 TEST(TiltAlongContour, IsNotInterpolatedAcrossCorners)
 {
   const std::array<double, 4> tilts{ 0.3, -0.2, 0.0, 0.7 };
   const int count = 20;
-  const ContourRing ring = Square(count, tilts);
-  TiltAlongContour tilt(ring);
-  for (Index i = 0; i < ring.Measured.Curve.Count(); ++i)
+  for (const std::array<int, 4>& known :
+    { std::array{ 10, 10, 10, 10 }, std::array{ 2, 3, 16, 10 }, std::array{ 17, 1, 10, 19 } })
   {
-    ASSERT_EQ(ring.Measured.Curve.IsCorner(i), i % count == 0);
-    const double found = tilt.At(i);
-    if (i % count != 0)
+    const ContourRing ring = Square(count, tilts, known);
+    TiltAlongContour tilt(ring);
+    for (Index i = 0; i < ring.Measured.Curve.Count(); ++i)
     {
-      EXPECT_NEAR(found, tilts[i / count], 1e-6) << i;
+      ASSERT_EQ(ring.Measured.Curve.IsCorner(i), i % count == 0);
+      const double found = tilt.At(i);
+      if (i % count != 0)
+      {
+        EXPECT_NEAR(found, tilts[i / count], 1e-6) << i;
+      }
     }
   }
 }
