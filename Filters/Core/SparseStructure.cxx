@@ -25,15 +25,16 @@ bool SparseStructure::Draw()
   Reconstruction& first = this->First.Result;
   Execution execution = this->First.Execute;
   execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
+  const double cornerAngle = this->First.Settings.Patching.CornerAngle;
   const int axis = this->Density.StackAxis();
   const Contours ofStack = axis < 0 ? Contours() : SelectAxis(this->Drawn, axis, true);
   if (ofStack.Count() == 0)
   {
     this->Known = TopologyOf(first);
     GuideCurves none;
-    this->Virtual =
-      MakeVirtualSlices({ GeometryOf(first), first.Surface, first.Grid, none, &this->Planes },
-        this->Density, execution);
+    this->Virtual = MakeVirtualSlices(
+      { GeometryOf(first), first.Surface, first.Grid, none, cornerAngle, &this->Planes },
+      this->Density, execution);
     return !first.Stopped;
   }
   Pass stack(this->First, Contours(ofStack));
@@ -45,8 +46,8 @@ bool SparseStructure::Draw()
   }
   this->Known = TopologyOf(stack.Result);
   GuideCurves guides = CutGuides(this->Drawn, first.Grid, axis);
-  this->Virtual = MakeVirtualSlices(
-    { GeometryOf(stack.Result), stack.Result.Surface, first.Grid, guides, &this->Planes },
+  this->Virtual = MakeVirtualSlices({ GeometryOf(stack.Result), stack.Result.Surface, first.Grid,
+                                      guides, cornerAngle, &this->Planes },
     this->Density, execution);
   return !first.Stopped;
 }

@@ -227,7 +227,8 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
   Execution execution = this->First.Execute;
   execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
   const Contours added =
-    MakeVirtualSlices({ GeometryOf(base), base.Surface, this->First.Result.Grid, guides },
+    MakeVirtualSlices({ GeometryOf(base), base.Surface, this->First.Result.Grid, guides,
+                        this->First.Settings.Patching.CornerAngle },
       this->Sparse.Bending, execution);
   const SurfaceTopology wanted = base.Topology;
   // Without planes on which arcs were drawn anew, and then without those on which any were mended.

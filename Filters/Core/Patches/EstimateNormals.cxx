@@ -4,6 +4,7 @@
 
 #include "Core/Base/Vectors.h"
 #include "Core/Crossings/NodeNormals.h"
+#include "Core/Graph/ContourRings.h"
 #include "Core/Patches/SliceMetric.h"
 #include "Core/Patches/TiltAlongContour.h"
 
@@ -14,13 +15,10 @@ namespace orthoslices
 {
 namespace
 {
-/// A contour that is cut into arcs, in true coordinates (SliceMetric): its points in G, in order
-/// from a crossing.
-struct ArcRing
+/// A contour that is cut into arcs, and itself in true coordinates (SliceMetric).
+struct MeasuredRing : ArcRing
 {
   ContourRing Contour;
-  std::vector<Index> Points;
-  std::vector<Index> Crossing; ///< of each point, or None
 };
 
 /// A tilt of which nothing is known is taken as 0. At a node point it says little beside that of
@@ -33,6 +31,7 @@ public:
   NormalEstimator(const CycleGeometry& geometry, double cornerAngle)
     : Geometry(geometry)
     , Code(geometry.Grid)
+    , Rings(geometry.Grid, geometry.Crossings, geometry.Nodes, geometry.Graph)
     , CornerAngle(cornerAngle)
     , ArcTangents(geometry.Graph.Count())
     , CrossingTangents(geometry.Crossings.Count())
@@ -50,19 +49,18 @@ private:
   /// The tangent at a point, of unit length, as floats: as many as there are contour points.
   using Tangent = std::array<float, 2>;
 
-  std::array<std::vector<Index>, 3> FindRings() const;
-  int AxisOf(Index crossing) const;
-  void SetRing(Index start, ArcRing& ring) const;
-  void FindTangents(const ArcRing& ring);
-  void LookUp(ArcRing& ring) const;
+  void SetRing(Index start, MeasuredRing& ring) const;
+  void FindTangents(const MeasuredRing& ring);
+  void LookUp(MeasuredRing& ring) const;
   Point3 NodeNormal(Index node) const;
   Point3 TangentInSpace(Index crossing, int axis) const;
   std::array<float, 3> TrueNormal(Index node, int axis) const;
-  void WriteNormals(const ArcRing& ring);
+  void WriteNormals(const MeasuredRing& ring);
   void WriteLoop(Index loop, double tilt);
 
   const CycleGeometry& Geometry;
   GridEdgeCode Code;
+  ContourRings Rings;
   double CornerAngle;
   std::vector<Tangent> ArcTangents;
   std::vector<Tangent> CrossingTangents;
@@ -71,64 +69,15 @@ private:
   SurfaceNormals Result;
 };
 
-/// The axis of the slice that a crossing's contour lies on.
-int NormalEstimator::AxisOf(Index crossing) const
-{
-  const int direction = this->Code.Decode(this->Geometry.Crossings.Edge[crossing]).Direction;
-  return this->Geometry.Crossings.Family[crossing] == 0 ? FirstAxis(direction)
-                                                        : SecondAxis(direction);
-}
-
-/// One crossing of each contour, by the axis of its slice: always the same one, however contours
-/// are numbered.
-std::array<std::vector<Index>, 3> NormalEstimator::FindRings() const
-{
-  const GridCrossings& crossings = this->Geometry.Crossings;
-  std::array<std::vector<Index>, 3> starts;
-  std::vector<std::uint8_t> seen(crossings.Count(), 0);
-  for (Index start = 0; start < crossings.Count(); ++start)
-  {
-    if (seen[start] != 0 || crossings.IsRemoved(start))
-    {
-      continue;
-    }
-    Index minimum = start;
-    for (Index c = start; seen[c] == 0; c = crossings.Next[c])
-    {
-      seen[c] = 1;
-      const bool isLess = crossings.Edge[c] != crossings.Edge[minimum]
-        ? crossings.Edge[c] < crossings.Edge[minimum]
-        : crossings.Position[c] < crossings.Position[minimum];
-      minimum = isLess ? c : minimum;
-    }
-    starts[this->AxisOf(start)].push_back(minimum);
-  }
-  return starts;
-}
-
 /// Reads the points of a contour from a crossing on, and measures its noise and its corners.
-void NormalEstimator::SetRing(Index start, ArcRing& ring) const
+void NormalEstimator::SetRing(Index start, MeasuredRing& ring) const
 {
   const NodeGraph& graph = this->Geometry.Graph;
-  const GridCrossings& crossings = this->Geometry.Crossings;
   ContourRing& contour = ring.Contour;
-  contour.Axis = this->AxisOf(start);
+  contour.Axis = this->Rings.AxisOf(start);
   const SliceMetric& metric = this->Metrics[contour.Axis];
   contour.Spacing = MeanSpacingInSlices(this->Geometry.Grid, contour.Axis);
-  ring.Points.clear();
-  ring.Crossing.clear();
-  Index c = start;
-  do
-  {
-    ring.Points.push_back(this->Geometry.Nodes.NodeOf[c]);
-    ring.Crossing.push_back(c);
-    for (Index i = 0; i < graph.PointCount(c); ++i)
-    {
-      ring.Points.push_back(graph.FirstPoint(c) + i);
-      ring.Crossing.push_back(GridCrossings::None);
-    }
-    c = crossings.Next[c];
-  } while (c != start);
+  this->Rings.List(start, ring);
   std::vector<Point2> points(ring.Points.size());
   std::transform(ring.Points.begin(), ring.Points.end(), points.begin(),
     [&](Index point) -> Point2 { return metric.ToTrue(graph.PointAt(point)); });
@@ -136,7 +85,7 @@ void NormalEstimator::SetRing(Index start, ArcRing& ring) const
 }
 
 /// Fits the tangents of a contour, and marks its corners.
-void NormalEstimator::FindTangents(const ArcRing& ring)
+void NormalEstimator::FindTangents(const MeasuredRing& ring)
 {
   const MeasuredCurve& measured = ring.Contour.Measured;
   for (Index i = 0; i < measured.Curve.Count(); ++i)
@@ -154,7 +103,7 @@ void NormalEstimator::FindTangents(const ArcRing& ring)
 }
 
 /// Copies what is known of the tangents and normals along a contour.
-void NormalEstimator::LookUp(ArcRing& ring) const
+void NormalEstimator::LookUp(MeasuredRing& ring) const
 {
   const std::size_t n = ring.Points.size();
   ring.Contour.Tangents.resize(n);
@@ -204,7 +153,7 @@ Point3 NormalEstimator::NodeNormal(Index node) const
 }
 
 /// Writes the normals of a contour, or adds them at node points, which two contours have in common.
-void NormalEstimator::WriteNormals(const ArcRing& ring)
+void NormalEstimator::WriteNormals(const MeasuredRing& ring)
 {
   const ContourRing& contour = ring.Contour;
   const int u = FirstAxis(contour.Axis), v = SecondAxis(contour.Axis);
@@ -261,7 +210,7 @@ void NormalEstimator::WriteLoop(Index loop, double tilt)
 SurfaceNormals NormalEstimator::Run(
   const std::vector<double>& loopTilts, const Execution& execution)
 {
-  const std::array<std::vector<Index>, 3> starts = this->FindRings();
+  const std::array<std::vector<Index>, 3> starts = this->Rings.FindStarts();
   // Contours of one axis have no points in common.
   const auto forRings = [&](auto&& visit)
   {
@@ -270,7 +219,7 @@ SurfaceNormals NormalEstimator::Run(
       execution.For(ofAxis.size(),
         [&](std::size_t begin, std::size_t end)
         {
-          ArcRing ring;
+          MeasuredRing ring;
           for (std::size_t i = begin; i < end; ++i)
           {
             this->SetRing(ofAxis[i], ring);
@@ -279,7 +228,7 @@ SurfaceNormals NormalEstimator::Run(
         });
     }
   };
-  forRings([this](const ArcRing& ring) { this->FindTangents(ring); });
+  forRings([this](const MeasuredRing& ring) { this->FindTangents(ring); });
   execution.For(this->NodeNormals.size(),
     [&](std::size_t begin, std::size_t end)
     {
@@ -290,7 +239,7 @@ SurfaceNormals NormalEstimator::Run(
       }
     });
   forRings(
-    [this](ArcRing& ring)
+    [this](MeasuredRing& ring)
     {
       this->LookUp(ring);
       this->WriteNormals(ring);

@@ -49,6 +49,7 @@ TiltAlongContour::TiltAlongContour(const ContourRing& ring)
   , Total(ring.Measured.Curve.LengthTo(ring.Measured.Curve.Count()))
 {
   this->SampleNodePoints();
+  this->MergeEnds();
   this->FindCorners();
   this->SetSlopes();
   this->Fitted = this->Samples.size();
@@ -87,6 +88,27 @@ void TiltAlongContour::SampleNodePoints()
     }
     samples.push_back({ i, length, tilt, weight, 0.0 });
     corner = false;
+  }
+}
+
+/// The last node point and the first one may be close together, too.
+void TiltAlongContour::MergeEnds()
+{
+  const ContourCurve& curve = this->Ring.Measured.Curve;
+  if (this->Samples.size() < 2)
+  {
+    return;
+  }
+  const Sample &last = this->Samples.back(), &first = this->Samples.front();
+  bool isNear = first.Length + this->Total - last.Length < MergedNodes * this->Ring.Spacing;
+  for (Index i = last.Place; isNear && i != first.Place; i = i + 1 < curve.Count() ? i + 1 : 0)
+  {
+    isNear = !curve.IsCorner(i);
+  }
+  if (isNear)
+  {
+    this->Samples.erase(
+      first.Weight < last.Weight ? this->Samples.begin() : this->Samples.end() - 1);
   }
 }
 

@@ -94,6 +94,7 @@ private:
   };
 
   void SampleNodePoints();
+  void MergeEnds();
   void FindCorners();
   void SetSlopes();
   void FitSlope(std::size_t before);

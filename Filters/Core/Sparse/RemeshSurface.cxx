@@ -77,7 +77,8 @@ bool TryCollapse(
   const Index end = mesh.Corners.EndOf(corner);
   const Point3 target =
     mesh.Fixed[end] ? mesh.Points[end] : Between(mesh.Points[start], mesh.Points[end], 0.5);
-  if ((mesh.Fixed[start] && !mesh.Corners.IsCurve(corner)) || !mesh.Corners.CanCollapse(corner) ||
+  if (mesh.Fixed[start] == SurfaceMesh::AtCorner ||
+    (mesh.Fixed[start] && !mesh.Corners.IsCurve(corner)) || !mesh.Corners.CanCollapse(corner) ||
     (mesh.Fixed[start] && !StaysOnContour(mesh, corner, tolerance, longestOnContour)) ||
     !StaysShort(mesh, corner, target, maximum))
   {

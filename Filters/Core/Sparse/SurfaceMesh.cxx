@@ -169,7 +169,7 @@ void MarkFlatPatches(
     {
       for (const Index point : points)
       {
-        mesh.Crease[point] |= mesh.Fixed[point];
+        mesh.Crease[point] |= mesh.Fixed[point] ? 1 : 0;
       }
     }
   }

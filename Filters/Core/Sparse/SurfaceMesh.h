@@ -4,6 +4,7 @@
 #define OrthoSlicesSurfaceMesh_h
 
 #include "Core/Base/Box.h"
+#include "Core/Sparse/ContourCorners.h"
 #include "Core/Sparse/GuideCurves.h"
 #include "Core/Surface/CornerTable.h"
 #include "Core/Surface/LayOutTriangles.h"
@@ -28,7 +29,8 @@ struct SurfaceMesh
 {
   CornerTable Corners;
   std::vector<Point3> Points;
-  std::vector<std::uint8_t> Fixed;  ///< of each point: lies on a contour
+  /// Of each point: lies on a contour; AtCorner at a corner of it, which stays in any case.
+  std::vector<std::uint8_t> Fixed;
   std::vector<std::uint8_t> Crease; ///< of each point: the surface has an edge there
   std::vector<Index> Cell;          ///< of each triangle: its place in Cells
   std::vector<Box3> Cells; ///< of each patch: where its points may go, the grid's margin taken off
@@ -37,6 +39,8 @@ struct SurfaceMesh
   int StretchAxis = -1;         ///< of the only family of slices; -1 where there are several
   std::vector<Point3> Stretch;  ///< of each point along each axis, at least 1
   std::vector<double> Levels{}; ///< see StackEnds
+  std::vector<ContourCorner> ContourCorners{}; ///< see KeepCorners
+  static constexpr std::uint8_t AtCorner = 2;
 
   /// From one point to another, stretched.
   Point3 Edge(Index from, Index to) const

@@ -3,6 +3,7 @@
 #include "Core/Sparse/VirtualSlices.h"
 
 #include "Core/Slicing/SliceSurface.h"
+#include "Core/Sparse/CreaseCurves.h"
 #include "Core/Sparse/FairSurface.h"
 #include "Core/Sparse/GuideSurface.h"
 #include "Core/Sparse/RemeshSurface.h"
@@ -53,7 +54,8 @@ bool MakeFair(
   const EdgeWeights shown =
     mesh.StretchAxis < 0 ? EdgeWeights::RoundCotangents : EdgeWeights::Cotangents;
   const auto bendAgain = [&] { FairSurface(shown, mesh); };
-  Steps steps{ collapse, flip, [&] { RefineEdges(edgeLength, mesh); }, collapse, bend };
+  const auto crease = [&] { DrawCreases(mesh); };
+  Steps steps{ collapse, flip, [&] { RefineEdges(edgeLength, mesh); }, collapse, crease, bend };
   if (!guides.Slices.empty())
   {
     const auto guide = [&]
@@ -161,6 +163,7 @@ Contours MakeVirtualSlices(
   Contours contours;
   GuideCurves& guides = source.Guides;
   SurfaceMesh mesh = MakeSurfaceMesh(source.Geometry, source.Surface, guides, execution);
+  KeepCorners(FindContourCorners(source.Geometry, source.CornerAngle), mesh);
   if (!MakeFair(guides, density, execution, mesh))
   {
     return contours;

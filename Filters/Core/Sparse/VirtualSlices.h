@@ -20,6 +20,7 @@ struct FairSource
   const Patches& Surface;
   const SpatialGrid& Grid;
   GuideCurves& Guides;
+  double CornerAngle; ///< of contours, radians; see DrawCreases
   /// The planes to cut on, in place of those of ChooseVirtualPlanes; null if they are to be chosen.
   const VirtualPlanes* Planes = nullptr;
 };

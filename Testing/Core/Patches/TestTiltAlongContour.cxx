@@ -195,21 +195,27 @@ TEST(TiltAlongContour, ContoursThatRunAlongEachOtherGiveNoNormal)
 }
 
 //----------------------------------------------------------------------------
-/// Of two node points close together, the one where the contours cross at a greater angle counts.
+/// Of two node points close together, the one where the contours cross at a greater angle counts;
+/// also where the ring begins.
 TEST(TiltAlongContour, TakesTheBetterOfNodePointsCloseTogether)
 {
   const Ellipsoid sphere{ { 1.0, 1.0, 1.0 }, 0.5 };
-  const double spacing = 0.3, step = 2.0 * Pi * std::sqrt(0.75) / 480.0;
+  const Index count = 480;
+  const double spacing = 0.3, step = 2.0 * Pi * std::sqrt(0.75) / count;
   const Index near = static_cast<Index>(MergedNodes * spacing / step) - 1;
-  for (const Index shift : { near, -near })
+  for (const Index node : { 80, 0 })
   {
-    ContourRing ring = sphere.Ring(480, 40, spacing);
-    const std::array<float, 2>& tangent = ring.Tangents[80 + shift];
-    ring.KnownNormals[80 + shift] = { 0.5f * tangent[1], -0.5f * tangent[0], 0.0f };
-    EXPECT_LT(sphere.ErrorOf(ring), 1e-4) << shift;
-    // Far enough away it counts.
-    ring.KnownNormals[80 + 2 * shift] = ring.KnownNormals[80 + shift];
-    EXPECT_GT(sphere.ErrorOf(ring), 0.1) << shift;
+    for (const Index shift : { near, -near })
+    {
+      ContourRing ring = sphere.Ring(count, 40, spacing);
+      const auto place = [&](Index times) { return (node + times * shift + count) % count; };
+      const std::array<float, 2>& tangent = ring.Tangents[place(1)];
+      ring.KnownNormals[place(1)] = { 0.5f * tangent[1], -0.5f * tangent[0], 0.0f };
+      EXPECT_LT(sphere.ErrorOf(ring), 1e-4) << node << ", " << shift;
+      // Far enough away it counts.
+      ring.KnownNormals[place(2)] = ring.KnownNormals[place(1)];
+      EXPECT_GT(sphere.ErrorOf(ring), 0.1) << node << ", " << shift;
+    }
   }
 }
 

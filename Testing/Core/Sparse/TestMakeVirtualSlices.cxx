@@ -17,6 +17,8 @@ using namespace orthoslices::support;
 
 namespace
 {
+constexpr double Pi = 3.14159265358979323846;
+
 /// A solid cut by few planes, and the virtual slices through its surface.
 struct Sliced
 {
@@ -30,9 +32,9 @@ struct Sliced
       box.Add(this->First.Graph.PointAt(i));
     }
     GuideCurves none;
-    this->Virtual =
-      MakeVirtualSlices({ GeometryOf(this->First), this->First.Surface, this->First.Grid, none },
-        SliceDensity(this->First.Grid, box), execution);
+    this->Virtual = MakeVirtualSlices(
+      { GeometryOf(this->First), this->First.Surface, this->First.Grid, none, Pi / 3.0 },
+      SliceDensity(this->First.Grid, box), execution);
   }
 
   Reconstruction First;
