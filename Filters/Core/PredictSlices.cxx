@@ -54,17 +54,52 @@ Contours SelectSlice(const Contours& contours, const SliceName& slice, bool ofSl
   return chosen;
 }
 
-double DistanceFrom(const SurfaceTriangles& surface, const Point3& place)
+/// Finds distances from a surface for places that follow each other along curves: the triangle that
+/// is nearest to one is near to the next, so that the boxes of most others are farther away.
+class SurfaceDistance
 {
-  double least = HUGE_VAL;
-  for (const auto& t : surface.Triangles)
+public:
+  explicit SurfaceDistance(const SurfaceTriangles& surface)
+    : Surface(surface)
   {
-    least = std::min(least,
-      SquaredDistanceToTriangle(
-        place, surface.Points[t[0]], surface.Points[t[1]], surface.Points[t[2]]));
+    for (const auto& triangle : surface.Triangles)
+    {
+      this->Boxes.emplace_back();
+      for (const Index point : triangle)
+      {
+        this->Boxes.back().Add(surface.Points[point]);
+      }
+    }
   }
-  return std::sqrt(least);
-}
+
+  double operator()(const Point3& place)
+  {
+    double least =
+      this->Nearest < this->Boxes.size() ? this->SquaredTo(this->Nearest, place) : HUGE_VAL;
+    for (std::size_t i = 0; i < this->Boxes.size(); ++i)
+    {
+      if (this->Boxes[i].SquaredDistanceTo(place) < least)
+      {
+        const double squared = this->SquaredTo(i, place);
+        this->Nearest = squared < least ? i : this->Nearest;
+        least = std::min(least, squared);
+      }
+    }
+    return std::sqrt(least);
+  }
+
+private:
+  double SquaredTo(std::size_t triangle, const Point3& place) const
+  {
+    const auto& [a, b, c] = this->Surface.Triangles[triangle];
+    const std::vector<Point3>& points = this->Surface.Points;
+    return SquaredDistanceToTriangle(place, points[a], points[b], points[c]);
+  }
+
+  const SurfaceTriangles& Surface;
+  std::vector<Box3> Boxes;
+  std::size_t Nearest = 0; ///< to the place before
+};
 }
 
 std::vector<WorldLoop> ListLoops(const Contours& drawn, const Pass& pass)
@@ -108,11 +143,12 @@ double ComparePredictions(const Contours& drawn, Pass& first, double step, const
     {
       point = metric.ToWorld(point);
     }
+    SurfaceDistance distance(surface);
     std::vector<WorldLoop> left = MapToWorld(SelectSlice(drawn, slice, true), metric);
     SortLoops(left);
     for (const ContourSample& sample : SampleLoops(left, 2.0 * step))
     {
-      byPatches += DistanceFrom(surface, sample.Position);
+      byPatches += distance(sample.Position);
       byField += field.Distance(sample.Position);
     }
   }

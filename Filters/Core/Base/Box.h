@@ -46,6 +46,18 @@ struct Box3
   {
     return this->Meets(other, 0) && this->Meets(other, 1) && this->Meets(other, 2);
   }
+  /// Of a point; infinite if the box is empty.
+  double SquaredDistanceTo(const Point3& point) const
+  {
+    double sum = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double beyond =
+        std::max({ this->Low[axis] - point[axis], point[axis] - this->High[axis], 0.0 });
+      sum += beyond * beyond;
+    }
+    return sum;
+  }
   /// Not finite if the box is empty.
   double Diagonal() const
   {
