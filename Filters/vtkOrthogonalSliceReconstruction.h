@@ -727,7 +727,8 @@ public:
   /**
    * Angle in degrees by which a contour turns at a corner. Smooth patches keep corners as creases
    * of the surface, where that fits the contours better than a smooth surface, and Smoothing keeps
-   * them. Corners that noise may have made are none. Default 60, range 0 to 180 (no corners).
+   * them. Where virtual slices are made, edges of the object run straight from corner to corner of
+   * neighboring slices. Corners that noise may have made are none. Default 60, range 0 to 180 (no corners).
    */
   vtkSetClampMacro(CornerAngle, double, 0.0, 180.0);
   vtkGetMacro(CornerAngle, double);
