@@ -878,6 +878,7 @@ private:
   // The steps of RequestData; checks that fail have reported an error.
   bool CheckProperties();
   bool CheckInputs(vtkInformationVector** inputs);
+  bool MakeOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
   orthoslices::SortedSlices SortInputs(vtkInformationVector** inputs) const;
   bool NeedsDoublePrecision(vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
   orthoslices::FrameOptions GetFrameOptions() const;

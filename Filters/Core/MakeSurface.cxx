@@ -85,7 +85,7 @@ bool MakeSlicesAgree(Pass& pass)
     RegisterCrossings(tables.Contours, result.Grid, pass.Execute, tables.IsolatedParts);
   tables.Edges = FileOnEdges(result.Crossings);
   pass.Finish(Stage::RegisterCrossings);
-  if (!pass.GoOn(0.5))
+  if (!pass.GoOn())
   {
     return false;
   }
@@ -126,7 +126,7 @@ bool BuildGraph(Pass& pass)
     EmbedArcs({ result.Grid, result.Nodes, result.Crossings, result.Graph }, pass.Execute));
   pass.Finish(Stage::EmbedArcs);
   contours = Contours();
-  return pass.GoOn(0.65);
+  return pass.GoOn();
 }
 
 /// Of the differences of slices at all node points.
@@ -152,7 +152,7 @@ bool PatchCells(Pass& pass)
   }
   pass.Report(DescribeShells(pass.Result));
   pass.Finish(Stage::FindUndecidedPlaces);
-  return pass.GoOn(0.7);
+  return pass.GoOn();
 }
 }
 
@@ -269,6 +269,6 @@ bool FillCycles(const PatchOptions& options, Pass& pass)
   LayOutTriangles(result.Graph, result.Cycles, result.Surface);
   pass.Finish(Stage::LayOutTriangles);
   ImproveIfLight(patching.Accuracy, light, pass);
-  return pass.GoOn(0.8);
+  return pass.GoOn();
 }
 }

@@ -78,7 +78,7 @@ bool ReadContours(std::array<Pieces, 3>&& pieces, Pass& pass)
     pass.Result.Mended.clear();
   }
   pass.Finish(Stage::AssembleContours);
-  return pass.GoOn(0.15);
+  return pass.GoOn();
 }
 
 /// Contours that are drawn twice count once, and those that cross bound what a rule says. Returns
@@ -124,13 +124,13 @@ bool OrientSlices(Pass& pass)
   result.Refused = (options.Invalid != InvalidContours::LeaveOut && !result.Invalid.empty()) ||
     (options.Crossing == CrossingContours::Refuse && !result.CrossingProblems.empty());
   pass.Finish(Stage::OrientContours);
-  if (result.Refused || !pass.GoOn(0.35))
+  if (result.Refused || !pass.GoOn())
   {
     return false;
   }
   if (options.InsertMissing && !result.Grid.HasVirtual())
   {
-    MissingContours missing = FindMissingContours(contours, result.Grid);
+    MissingContours missing = FindMissingContours(contours, result.Grid, pass.Execute);
     AppendContours(missing.Found, contours);
     pass.Inserted = std::move(missing.Repairs);
   }

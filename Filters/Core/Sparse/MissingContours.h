@@ -35,7 +35,8 @@ struct MissingContours
   Contours Found;
   std::vector<Repair> Repairs;
 };
-MissingContours FindMissingContours(const Contours& contours, const SpatialGrid& grid);
+MissingContours FindMissingContours(
+  const Contours& contours, const SpatialGrid& grid, const Execution& execution = Execution());
 }
 
 #endif
