@@ -91,11 +91,12 @@ bool MakeSlicesAgree(Pass& pass)
   }
   result.Reconciled =
     ReconcileSlices({ result.Grid, result.Crossings, tables.Edges, tables.IsolatedParts },
-      pass.Settings.Weights, result.InsideOut ? 1 : 0);
+      pass.Settings.Weights, result.InsideOut ? 1 : 0, pass.Execute);
   result.Repairs.swap(result.Reconciled.Repairs);
   pass.Report(pass.Inserted);
   pass.Finish(Stage::ReconcileSlices);
-  result.Nodes = PairNodePoints(result.Grid, result.Crossings, tables.Edges, pass.Settings.Weights);
+  result.Nodes = PairNodePoints(
+    result.Grid, result.Crossings, tables.Edges, pass.Settings.Weights, pass.Execute);
   pass.Finish(Stage::PairNodePoints);
   tables.Edges = EdgeRegister();
   return true;

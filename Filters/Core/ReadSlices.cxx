@@ -59,7 +59,8 @@ bool ReadContours(std::array<Pieces, 3>&& pieces, Pass& pass)
   settings.AloneTolerance = AloneTolerance * pass.Result.Diagonal;
   settings.AtBorder = pass.Settings.AtBorder;
   settings.GivenBorder = pass.Settings.GivenBorder;
-  PieceProblems problems = AssembleContours(std::move(pieces), settings, pass.Tables.Contours);
+  PieceProblems problems =
+    AssembleContours(std::move(pieces), settings, pass.Tables.Contours, pass.Execute);
   pass.Result.Invalid = std::move(problems.Unusable);
   pass.Result.Mended = std::move(problems.Mended);
   if (settings.AtBorder == BorderContours::LeaveOpen)

@@ -6,10 +6,11 @@
  * contour where there is one stack of slices only, without virtual slices (stack) and with them
  * (sparse).
  *
- *   BenchScaling [points] [contours] [planes] [cells] [stack] [rough] [sparse] [N ...]
+ *   BenchScaling [points] [contours] [planes] [cells] [stack] [rough]
+ *     [horseshoe] [sparse] [N ...]
  *
- * Without names all tables are made, with numbers only the rows that begin with these. Each row has about twice as many points as the one before.
- * Seconds are those of the processor in one thread, so that they hardly depend on what else runs;
+ * Without names all tables are made, with numbers only the rows that begin with these. Each row has
+ * about twice as many points as the one before. Seconds are those of the processor in one thread, so that they hardly depend on what else runs;
  * the last column is the time per point in terms of that of the first row. Where time is
  * proportional to the input, it stays near 1.
  */
@@ -46,9 +47,13 @@ public:
   {
   }
 
-  /// A closed curve around a center: the radius is a function of the angle.
-  void Add(double coordinate, const double center[2], int vertices,
-    const std::function<double(double)>& radius)
+  using Function = std::function<double(double)>;
+
+  /// A closed curve: radius and direction from the center are functions of a parameter from 0 to
+  /// 2 pi along it.
+  void Add(
+    double coordinate, const double center[2], int vertices, const Function& radius,
+    const Function& direction = [](double angle) { return angle; })
   {
     this->Lines->InsertNextCell(vertices + 1);
     const vtkIdType first = this->Points->GetNumberOfPoints();
@@ -57,8 +62,8 @@ public:
       const double angle = 2.0 * Pi * (i + 0.3) / vertices;
       double x[3];
       x[this->Axis] = coordinate;
-      x[(this->Axis + 1) % 3] = center[0] + radius(angle) * std::cos(angle);
-      x[(this->Axis + 2) % 3] = center[1] + radius(angle) * std::sin(angle);
+      x[(this->Axis + 1) % 3] = center[0] + radius(angle) * std::cos(direction(angle));
+      x[(this->Axis + 2) % 3] = center[1] + radius(angle) * std::sin(direction(angle));
       this->Lines->InsertCellPoint(this->Points->InsertNextPoint(x));
     }
     this->Lines->InsertCellPoint(first);
@@ -120,6 +125,23 @@ vtkSmartPointer<vtkPolyData> CutRidges(int planes, int vertices)
   {
     family.Add(0.2 * p, center, vertices,
       [=](double angle) { return 1.0 + 0.1 * std::sin(7.0 * angle + 0.4 * p); });
+  }
+  return family.Get();
+}
+
+/// A horseshoe, which no point inside sees as a whole.
+vtkSmartPointer<vtkPolyData> CutHorseshoe(int planes, int vertices)
+{
+  Family family(2);
+  const double center[2] = { 0.0, 0.0 };
+  for (int p = 0; p < planes; ++p)
+  {
+    // Once around outside and back inside: the radius depends on where on the contour, not on the
+    // direction alone.
+    family.Add(
+      0.2 * p, center, vertices,
+      [=](double angle) { return angle < Pi ? 1.0 + 0.1 * std::sin(9.0 * angle) : 0.6; },
+      [](double angle) { return angle < Pi ? 1.8 * angle : 1.8 * (2.0 * Pi - angle); });
   }
   return family.Get();
 }
@@ -251,6 +273,15 @@ void SweepRough()
   }
 }
 
+void SweepHorseshoe()
+{
+  Table table("Points per contour of a horseshoe, one stack of 8 slices", "vertices");
+  for (const int vertices : { 1000, 2000, 5000, 10000, 20000 })
+  {
+    table.Run(vertices, { CutHorseshoe(8, vertices) }, true);
+  }
+}
+
 void SweepStack(bool isVirtual)
 {
   Table table(isVirtual ? "Points per contour in one stack of 8 slices"
@@ -267,8 +298,8 @@ int main(int argc, char* argv[])
 {
   const std::map<std::string, void (*)()> sweeps{ { "points", SweepPoints },
     { "contours", SweepContours }, { "planes", SweepPlanes }, { "cells", SweepCells },
-    { "rough", SweepRough }, { "sparse", []() { SweepStack(true); } },
-    { "stack", []() { SweepStack(false); } } };
+    { "horseshoe", SweepHorseshoe }, { "rough", SweepRough },
+    { "sparse", []() { SweepStack(true); } }, { "stack", []() { SweepStack(false); } } };
   vtkObject::GlobalWarningDisplayOff(); // polygons with few vertices lie inside their circles
   vtkSMPTools::Initialize(1);
   std::set<std::string> names;
@@ -285,7 +316,8 @@ int main(int argc, char* argv[])
     else
     {
       std::fprintf(stderr,
-        "usage: %s [points] [contours] [planes] [cells] [stack] [rough] [sparse] [N ...]\n",
+        "usage: %s [points] [contours] [planes] [cells] [stack] [rough] [horseshoe] [sparse] [N "
+        "...]\n",
         argv[0]);
       return 2;
     }

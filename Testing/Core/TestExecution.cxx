@@ -132,8 +132,7 @@ TEST(Execution, ProgressRisesToOneWhateverTheSlices)
 }
 
 //----------------------------------------------------------------------------
-/// Somebody who waits is asked in proportion to the work, in all parts of it: with items one by
-/// one, no thousandth part of the questions is far from the next ones.
+/// How often the caller is asked grows with the work.
 TEST(Execution, AsksWhetherToGoOnInProportionToTheWork)
 {
   const auto questions = [](int vertices)
@@ -158,6 +157,33 @@ TEST(Execution, AsksWhetherToGoOnInProportionToTheWork)
   const double few = questions(100), many = questions(400);
   EXPECT_GT(few, 1000.0);
   EXPECT_GT(many, 1.5 * few);
+}
+
+//----------------------------------------------------------------------------
+/// Progress goes on in small steps, and stops where the caller says so.
+TEST(Execution, StopsAtAnyProgress)
+{
+  const std::string text = Ball("xyz", 24, 60);
+  for (const double until : { 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 0.9 })
+  {
+    Execution execution;
+    execution.For = [](std::size_t items, const Execution::Range& run)
+    {
+      for (std::size_t i = 0; i < items; ++i)
+      {
+        run(i, i + 1);
+      }
+    };
+    double progress = 0.0;
+    execution.Continue = [&](double now)
+    {
+      progress = now;
+      return now < until;
+    };
+    EXPECT_TRUE(Reconstruct(ParsePieces(text), Options(), execution).Stopped);
+    EXPECT_GE(progress, until);
+    EXPECT_LT(progress, until + 0.1);
+  }
 }
 
 //----------------------------------------------------------------------------

@@ -44,6 +44,7 @@ Execution Watch(const Execution& execution, const Execution::Watcher& advance)
     }
     advance(0, count);
     std::atomic<std::size_t> done{ 0 };
+    std::size_t heard = 0;
     const std::thread::id caller = std::this_thread::get_id();
     loop(count,
       [&](std::size_t begin, std::size_t end)
@@ -55,9 +56,14 @@ Execution Watch(const Execution& execution, const Execution::Watcher& advance)
         const std::size_t sum = done.fetch_add(end - begin) + (end - begin);
         if (std::this_thread::get_id() == caller)
         {
+          heard = sum;
           advance(sum, count);
         }
       });
+    if (heard < count) // another thread has done the last range
+    {
+      advance(count, count);
+    }
   };
   return watched;
 }
@@ -77,6 +83,10 @@ void ForInOrder(
     {
       run(i);
     }
+  }
+  if (isHeard && count > 0)
+  {
+    execution.Advance(count, count);
   }
 }
 }

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesMissingContours_h
 #define OrthoSlicesMissingContours_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Crossings/Repair.h"
 #include "Core/Slices/SpatialGrid.h"
 
