@@ -25,6 +25,10 @@
 #include <limits>
 #include <utility>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace orthoslices
 {
 namespace
@@ -174,6 +178,23 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
 
 namespace
 {
+/// From so many triangles on, memory that was released goes back to the system.
+constexpr std::int64_t ManyTriangles = 100000;
+
+/// Gives memory that was released back to the system. What small blocks took stays with the process
+/// otherwise, and large arrays come on top of it.
+void GiveBackMemory(const Reconstruction& result)
+{
+#ifdef __GLIBC__
+  if (result.Surface.TriangleCount() >= ManyTriangles)
+  {
+    malloc_trim(0);
+  }
+#else
+  static_cast<void>(result);
+#endif
+}
+
 /// Of the patches, and of G, if triangles are not improved; see Patches.
 vtkIdType CountPoints(const Patches& patches)
 {
@@ -251,6 +272,7 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   Reconstruction result = std::move(consumed);
   Patches& patches = result.Surface;
   const bool isImproved = patches.Improved.Any();
+  GiveBackMemory(result);
   SetTriangles(result, execution, surface);
   patches.Inner.Corners = {};
   const PatchValues values = ListPatchValues(result, reportTolerance);
