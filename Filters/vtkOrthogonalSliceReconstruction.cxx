@@ -32,6 +32,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -49,8 +50,9 @@ constexpr int InputPorts = 4;
 /// More contour vertices than that do not fit into the core's numbers.
 constexpr vtkIdType MaxVertices = std::numeric_limits<orthoslices::Index>::max() / 8;
 
-/// From here on, progress is that of writing the surface.
-constexpr double ProgressBeforeSurface = 0.9;
+/// Progress when the contours are read, and when the surface is made and has to be written.
+constexpr double ProgressOfReading = 0.03;
+constexpr double ProgressBeforeSurface = 0.85;
 }
 
 vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
@@ -167,6 +169,28 @@ int vtkOrthogonalSliceReconstruction::RequestData(
   {
     return 0;
   }
+  try
+  {
+    return this->MakeOutputs(inputs, outputs) ? 1 : 0;
+  }
+  catch (const orthoslices::Stopped&)
+  {
+    orthoslices::ClearOutputs(outputs);
+    return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    orthoslices::ClearOutputs(outputs);
+    vtkErrorMacro("There is not enough memory for the surface of these contours.");
+    return 0;
+  }
+}
+
+/// What was asked for. False, with an error and empty outputs, if that cannot be.
+bool vtkOrthogonalSliceReconstruction::MakeOutputs(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->SetProgressText("Reading contours");
   orthoslices::Options options;
   this->GetOptions(options);
   orthoslices::SortedSlices sorted = this->SortInputs(inputs);
@@ -188,7 +212,7 @@ int vtkOrthogonalSliceReconstruction::RequestData(
     orthoslices::CarryFieldData(
       this->ListInputs(), vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1));
   }
-  return done ? 1 : 0;
+  return done;
 }
 
 /// The outputs of one structure, or the reason why there are none, and what else to tell the user.
@@ -215,13 +239,20 @@ bool vtkOrthogonalSliceReconstruction::ReconstructAll(orthoslices::SortedSlices&
   const orthoslices::Options& options, vtkInformationVector* outputs)
 {
   const orthoslices::Polylines others = sorted.Others;
-  orthoslices::Reconstruction result =
-    orthoslices::ReconstructSorted(std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
+  orthoslices::Reconstruction result;
+  {
+    const orthoslices::ShareOfProgress progress(
+      this, ProgressOfReading, ProgressBeforeSurface - ProgressOfReading);
+    result =
+      orthoslices::ReconstructSorted(std::move(sorted), options, orthoslices::ExecuteWithVtk(this));
+  }
   if (result.Stopped)
   {
-    return true;
+    throw orthoslices::Stopped();
   }
   std::string text;
+  const orthoslices::ShareOfProgress progress(
+    this, ProgressBeforeSurface, 1.0 - ProgressBeforeSurface);
   const bool done = this->WriteResult(
     std::move(result), others, options, [outputs]() { return outputs; }, text);
   if (!done)
@@ -233,26 +264,6 @@ bool vtkOrthogonalSliceReconstruction::ReconstructAll(orthoslices::SortedSlices&
     vtkWarningMacro(<< text);
   }
   return done;
-}
-
-namespace
-{
-/// Progress within a share of the whole, for as long as this lives.
-class ShareOfProgress
-{
-public:
-  ShareOfProgress(vtkAlgorithm* filter, double first, double share)
-    : Filter(filter)
-  {
-    filter->SetProgressShiftScale(first, share);
-  }
-  ~ShareOfProgress() { this->Filter->SetProgressShiftScale(0.0, 1.0); }
-  ShareOfProgress(const ShareOfProgress&) = delete;
-  void operator=(const ShareOfProgress&) = delete;
-
-private:
-  vtkAlgorithm* Filter;
-};
 }
 
 /// The labels of all contours; an error and no labels if there are none.
@@ -294,12 +305,16 @@ bool vtkOrthogonalSliceReconstruction::ReconstructLabels(orthoslices::SortedSlic
   }
   orthoslices::LabelSurfaces surfaces;
   {
-    const ShareOfProgress progress(this, 0.0, ProgressBeforeSurface);
+    const orthoslices::ShareOfProgress progress(
+      this, ProgressOfReading, ProgressBeforeSurface - ProgressOfReading);
     surfaces =
       orthoslices::ReconstructLabels(std::move(parts), options, orthoslices::ExecuteWithVtk(this));
   }
-  return surfaces.Stopped ||
-    this->WriteLabels(std::move(surfaces), others, labels, options, outputs);
+  if (surfaces.Stopped)
+  {
+    throw orthoslices::Stopped();
+  }
+  return this->WriteLabels(std::move(surfaces), others, labels, options, outputs);
 }
 
 /// The outputs of all labels that have a surface, appended.
@@ -315,7 +330,7 @@ bool vtkOrthogonalSliceReconstruction::WriteLabels(orthoslices::LabelSurfaces&& 
   const double share = (1.0 - ProgressBeforeSurface) / labels.Count();
   for (orthoslices::Index label = 0; label < labels.Count(); ++label)
   {
-    const ShareOfProgress progress(this, ProgressBeforeSurface + share * label, share);
+    const orthoslices::ShareOfProgress progress(this, ProgressBeforeSurface + share * label, share);
     std::string text;
     const bool done = this->WriteResult(
       std::move(surfaces.OfLabel[label]), others[label], options,
@@ -493,28 +508,29 @@ std::string vtkOrthogonalSliceReconstruction::Report(orthoslices::Reconstruction
 void vtkOrthogonalSliceReconstruction::WriteOutputs(
   orthoslices::Reconstruction&& result, bool doublePrecision, vtkInformationVector* outputs)
 {
+  this->SetProgressText("Writing the surface");
   orthoslices::WriteContourTable(result, vtkTable::GetData(outputs, 3));
   orthoslices::WriteSliceTable(result, vtkTable::GetData(outputs, 4));
   orthoslices::WriteUndecidedTable(result, vtkTable::GetData(outputs, 5));
   orthoslices::WriteProblemTable(result, vtkTable::GetData(outputs, 6));
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
   vtkPolyData* graph = vtkPolyData::GetData(outputs, 1);
-  orthoslices::WriteGraph(result, doublePrecision, graph);
+  orthoslices::WriteGraph(
+    result, orthoslices::ExecuteShare(this, 0.0, 0.2), doublePrecision, graph);
   // With labels, the array "Label" is that of the labels.
   const bool ownsLabel = this->UsesLabels() && std::string(this->LabelArray) != "Label";
   orthoslices::ArrayCarrier carrier(
     this->PassCellArrays ? this->ListInputs() : std::vector<vtkDataObject*>(), result,
     ownsLabel ? "Label" : "");
   carrier.AddToGraph(result, graph->GetCellData());
-  carrier.ChooseContours(result, orthoslices::ExecuteWithVtk(this));
-  this->UpdateProgress(ProgressBeforeSurface);
+  carrier.ChooseContours(result, orthoslices::ExecuteShare(this, 0.2, 0.3));
   const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures };
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
   const orthoslices::Box3 openBorder = result.OpenBorder;
   const orthoslices::AxisFrame frame = result.Frame;
   vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
-  orthoslices::WriteSurface(std::move(result), orthoslices::ExecuteWithVtk(this), doublePrecision,
-    arrays, reportTolerance, surface);
+  orthoslices::WriteSurface(std::move(result), orthoslices::ExecuteShare(this, 0.3, 0.9),
+    doublePrecision, arrays, reportTolerance, surface);
   carrier.AddToSurface(surface->GetCellData());
   orthoslices::CutAtBorder(openBorder, frame, surface);
   const bool mayBeOpen = this->BorderContours == LEAVE_OPEN_AT_BORDER;
@@ -523,9 +539,8 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
 }
 
 /// Contours on planes of no family: how far the surface is from them, for the table and as text.
-std::string vtkOrthogonalSliceReconstruction::CompareOthers(
-  const orthoslices::Polylines& others, const std::vector<std::uint8_t>& guiding,
-  vtkInformationVector* outputs) const
+std::string vtkOrthogonalSliceReconstruction::CompareOthers(const orthoslices::Polylines& others,
+  const std::vector<std::uint8_t>& guiding, vtkInformationVector* outputs) const
 {
   const std::vector<orthoslices::Agreement> distances =
     orthoslices::MeasureDistances(others, vtkPolyData::GetData(outputs, 0));

@@ -152,8 +152,16 @@ int vtkOrthogonalSlicer::RequestData(
   }
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkImageData* image = vtkImageData::SafeDownCast(input);
-  const bool done = image ? this->SliceImage(image, inputs, outputs)
-                          : input && this->SliceSurface(SurfaceOf(input), outputs);
+  bool done = true;
+  try
+  {
+    done = image ? this->SliceImage(image, inputs, outputs)
+                 : input && this->SliceSurface(SurfaceOf(input), outputs);
+  }
+  catch (const orthoslices::Stopped&)
+  {
+    // The request to abort is still there.
+  }
   if (!done || this->GetAbortExecute())
   {
     for (int port = 0; port < 3; ++port)
@@ -203,7 +211,7 @@ bool vtkOrthogonalSlicer::SliceSurface(vtkPolyData* input, vtkInformationVector*
     }
     RoundPlanes(precision, planes);
     const auto contours = orthoslices::SliceSurface(surface, axis, planes, precision,
-      ExecuteInBatches(this, 0.3 + 0.7 * axis / 3, 0.3 + 0.7 * (axis + 1) / 3));
+      ExecuteShare(this, 0.3 + 0.7 * axis / 3, 0.3 + 0.7 * (axis + 1) / 3));
     WriteContours(axis, precision, planes, contours, vtkPolyData::GetData(outputs, axis));
   }
   return true;
@@ -250,7 +258,7 @@ bool vtkOrthogonalSlicer::SliceImage(
     {
       planes.push_back(grid.Axes[axis].Coordinate(sample));
     }
-    const Execution execution = ExecuteInBatches(this, axis / 3.0, (axis + 1) / 3.0);
+    const Execution execution = ExecuteShare(this, axis / 3.0, (axis + 1) / 3.0);
     vtkPolyData* output = vtkPolyData::GetData(outputs, axis);
     if (this->EveryLabel)
     {

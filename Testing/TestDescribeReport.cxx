@@ -319,7 +319,7 @@ TEST(WriteGraph, TellsRealSlicesFromVirtualOnes)
   {
     const Reconstruction result = WithVirtualSlices(areVirtual);
     vtkNew<vtkPolyData> graph;
-    WriteGraph(result, true, graph);
+    WriteGraph(result, Execution(), true, graph);
     vtkNew<vtkTable> slices, contours;
     WriteSliceTable(result, slices);
     WriteContourTable(result, contours);

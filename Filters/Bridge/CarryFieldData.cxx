@@ -179,6 +179,14 @@ void ClearFieldData(vtkInformationVector* outputs)
   }
 }
 
+void ClearOutputs(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+}
+
 void CarryFieldData(
   const std::vector<vtkDataObject*>& inputs, vtkPolyData* surface, vtkPolyData* graph)
 {

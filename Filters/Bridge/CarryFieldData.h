@@ -14,6 +14,9 @@ namespace orthoslices
 /// Takes away the field data that the pipeline has passed on from the first input.
 void ClearFieldData(vtkInformationVector* outputs);
 
+/// Leaves nothing in any output.
+void ClearOutputs(vtkInformationVector* outputs);
+
 /**
  * Adds the field data of the inputs of all ports, and of the blocks of composite ones, to that of
  * the graph and of the surface. An array that several of them have with the same content is added

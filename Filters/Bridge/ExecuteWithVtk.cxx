@@ -2,53 +2,133 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/ExecuteWithVtk.h"
 
+#include "Core/Base/Workers.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <thread>
 
 namespace orthoslices
 {
 namespace
 {
-/// Batches of one loop: often enough for a progress bar.
-constexpr vtkIdType Batches = 4;
+/// Observers hear of progress after so much of it, or of seconds, whichever comes first: often
+/// enough for a progress bar and for somebody who wants to abort, and seldom enough that it costs
+/// nothing.
+constexpr double ProgressStep = 0.002;
+constexpr double SecondsBetweenEvents = 0.05;
+
+/// Whether somebody has asked VTK to run loops in one thread: by the environment, or because it
+/// does otherwise by default.
+bool IsSequentialByChoice()
+{
+  const char* chosen = std::getenv("VTK_SMP_BACKEND_IN_USE");
+  std::string name = chosen ? chosen : "";
+  std::transform(name.begin(), name.end(), name.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return !VTK_SMP_DEFAULT_IMPLEMENTATION_SEQUENTIAL || name == "sequential";
+}
+
+/// The limit that the user has set; 0 if there is none.
+int LimitOfThreads()
+{
+  const vtkSMPTools::Config config(vtk::detail::smp::vtkSMPToolsAPI::GetInstance());
+  const char* inEnvironment = std::getenv("VTK_SMP_MAX_THREADS");
+  const int most = inEnvironment ? std::atoi(inEnvironment) : 0;
+  return config.MaxNumberOfThreads > 0 ? config.MaxNumberOfThreads : std::max(0, most);
+}
+
+/// Tells a filter's observers of progress, which never goes back.
+class ProgressTeller
+{
+public:
+  explicit ProgressTeller(vtkAlgorithm* filter)
+    : Filter(filter)
+  {
+  }
+
+  /// False if somebody has asked to abort.
+  bool Tell(double progress)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - this->Last;
+    this->Furthest = std::max(this->Furthest, progress);
+    if (this->Furthest >= this->Told + ProgressStep || passed.count() >= SecondsBetweenEvents)
+    {
+      this->Filter->UpdateProgress(this->Furthest);
+      this->Told = this->Furthest;
+      this->Last = now;
+    }
+    return !this->Filter->GetAbortExecute();
+  }
+
+private:
+  vtkAlgorithm* Filter;
+  double Furthest = 0.0;
+  double Told = -1.0;
+  std::chrono::steady_clock::time_point Last;
+};
+}
+
+int NumberOfThreads()
+{
+  if (vtkSMPTools::IsParallelScope())
+  {
+    return 1;
+  }
+  if (std::string(vtkSMPTools::GetBackend()) != "Sequential")
+  {
+    return std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  }
+  if (IsSequentialByChoice())
+  {
+    return 1;
+  }
+  const int ofMachine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const int limit = LimitOfThreads();
+  return limit > 0 ? std::min(limit, ofMachine) : ofMachine;
 }
 
 Execution ExecuteWithVtk(vtkAlgorithm* filter)
 {
-  Execution execution;
-  execution.For = [](std::size_t count, const Execution::Range& run)
-  {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count),
-      [&run](vtkIdType begin, vtkIdType end) { run(begin, end); });
-  };
-  execution.Continue = [filter](double progress)
-  {
-    filter->UpdateProgress(progress);
-    return !filter->GetAbortExecute();
-  };
+  Execution execution = ExecuteOnThreads(NumberOfThreads());
+  execution.Continue = [teller = std::make_shared<ProgressTeller>(filter)](double progress)
+  { return teller->Tell(progress); };
+  execution.Announce = [filter](const char* text) { filter->SetProgressText(text); };
   return execution;
 }
 
-Execution ExecuteInBatches(vtkAlgorithm* filter, double firstProgress, double lastProgress)
+Execution ExecuteShare(vtkAlgorithm* filter, double firstProgress, double lastProgress)
 {
-  Execution execution;
-  execution.For = [=](std::size_t count, const Execution::Range& run)
-  {
-    const vtkIdType total = static_cast<vtkIdType>(count);
-    const vtkIdType batch = std::max<vtkIdType>(1, (total + Batches - 1) / Batches);
-    const vtkIdType threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-    const vtkIdType grain = std::max<vtkIdType>(1, batch / std::max<vtkIdType>(1, threads));
-    for (vtkIdType begin = 0; begin < total && !filter->GetAbortExecute(); begin += batch)
+  const Execution execution = ExecuteWithVtk(filter);
+  return Watch(execution,
+    [goOn = execution.Continue, firstProgress, lastProgress](std::size_t done, std::size_t count)
     {
-      const vtkIdType end = std::min(total, begin + batch);
-      vtkSMPTools::For(begin, end, grain,
-        [&run](vtkIdType first, vtkIdType last)
-        { run(static_cast<std::size_t>(first), static_cast<std::size_t>(last)); });
-      filter->UpdateProgress(firstProgress + (lastProgress - firstProgress) * end / total);
-    }
-  };
-  return execution;
+      const double share = static_cast<double>(done) / static_cast<double>(count);
+      if (!goOn(firstProgress + (lastProgress - firstProgress) * share))
+      {
+        throw Stopped();
+      }
+    });
+}
+
+ShareOfProgress::ShareOfProgress(vtkAlgorithm* filter, double first, double share)
+  : Filter(filter)
+  , Shift(filter->GetProgressShift())
+  , Scale(filter->GetProgressScale())
+{
+  filter->SetProgressShiftScale(this->Shift + first * this->Scale, share * this->Scale);
+}
+
+ShareOfProgress::~ShareOfProgress()
+{
+  this->Filter->SetProgressShiftScale(this->Shift, this->Scale);
 }
 }

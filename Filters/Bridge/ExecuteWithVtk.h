@@ -9,14 +9,35 @@ class vtkAlgorithm;
 
 namespace orthoslices
 {
-/// Loops run on vtkSMPTools; between the stages the filter reports progress and hears of requests
-/// to abort. The filter must outlive the execution.
+/**
+ * The threads that a filter may use: as many as vtkSMPTools would. Where VTK was built to run its
+ * loops in one thread by default, and nobody has asked for that, as many as the machine has; the
+ * limits of vtkSMPTools::Initialize and VTK_SMP_MAX_THREADS hold in any case. 1 within a parallel
+ * loop of VTK.
+ */
+int NumberOfThreads();
+
+/// Loops run on NumberOfThreads threads. Progress and the words for what is being done are the
+/// filter's, as are requests to abort. The filter must outlive the execution.
 Execution ExecuteWithVtk(vtkAlgorithm* filter);
 
-/// An execution of one loop over few large items, such as planes, on vtkSMPTools: it runs in a few
-/// batches; between them the filter reports progress, from the first to the last value, and hears
-/// of requests to abort.
-Execution ExecuteInBatches(vtkAlgorithm* filter, double firstProgress, double lastProgress);
+/// The same, for loops that are each a part of the progress, from the first value to the last one.
+/// Loops throw Stopped upon a request to abort.
+Execution ExecuteShare(vtkAlgorithm* filter, double firstProgress, double lastProgress);
+
+/// Progress within a share of the whole, for as long as this lives.
+class ShareOfProgress
+{
+public:
+  ShareOfProgress(vtkAlgorithm* filter, double first, double share);
+  ~ShareOfProgress();
+  ShareOfProgress(const ShareOfProgress&) = delete;
+  void operator=(const ShareOfProgress&) = delete;
+
+private:
+  vtkAlgorithm* Filter;
+  double Shift, Scale; ///< of the filter before
+};
 }
 
 #endif

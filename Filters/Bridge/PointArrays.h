@@ -3,6 +3,8 @@
 #ifndef OrthoSlicesPointArrays_h
 #define OrthoSlicesPointArrays_h
 
+#include "Core/Base/Execution.h"
+
 #include "vtkDataArray.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
@@ -21,18 +23,30 @@ inline vtkSmartPointer<vtkPoints> NewPoints(bool doublePrecision, vtkIdType coun
 }
 
 /// Copies coordinates to the points from number `first` on.
-inline void CopyPoints(const std::vector<double>& xyz, vtkIdType first, vtkPoints* points)
+inline void CopyPoints(const double* first, const double* last, vtkIdType target, vtkPoints* points)
 {
-  void* target = points->GetData()->GetVoidPointer(3 * first);
+  void* to = points->GetData()->GetVoidPointer(3 * target);
   if (points->GetDataType() == VTK_DOUBLE)
   {
-    std::copy(xyz.begin(), xyz.end(), static_cast<double*>(target));
+    std::copy(first, last, static_cast<double*>(to));
   }
   else
   {
-    std::transform(xyz.begin(), xyz.end(), static_cast<float*>(target),
-      [](double x) { return static_cast<float>(x); });
+    std::transform(
+      first, last, static_cast<float*>(to), [](double x) { return static_cast<float>(x); });
   }
+}
+
+/// The same of all coordinates, in parallel.
+inline void CopyPoints(
+  const std::vector<double>& xyz, vtkIdType target, const Execution& execution, vtkPoints* points)
+{
+  execution.For(xyz.size() / 3,
+    [&](std::size_t begin, std::size_t end)
+    {
+      CopyPoints(xyz.data() + 3 * begin, xyz.data() + 3 * end,
+        target + static_cast<vtkIdType>(begin), points);
+    });
 }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/SurfaceArrays.h"
 
+#include "Bridge/ExecuteWithVtk.h"
 #include "Bridge/VisitTriangles.h"
 #include "Core/Surface/PointNormals.h"
 #include "Core/Surface/TriangleMeasures.h"
@@ -33,6 +34,7 @@ void AddArray(const char* name, const std::vector<float>& values, vtkPointData* 
 void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Execution& execution)
 {
   const vtkIdType count = surface->GetNumberOfPoints();
+  const std::size_t parts = static_cast<std::size_t>(NumberOfThreads());
   vtkNew<vtkFloatArray> normals;
   normals->SetName("Normals");
   normals->SetNumberOfComponents(3);
@@ -41,7 +43,7 @@ void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Ex
     [&](const auto* xyz, const auto* triangles, vtkIdType triangleCount)
     {
       ComputePointNormals(
-        xyz, count, triangles, triangleCount, smooth, execution, normals->GetPointer(0));
+        xyz, count, triangles, triangleCount, smooth, execution, normals->GetPointer(0), parts);
     });
   surface->GetPointData()->SetNormals(normals);
 }

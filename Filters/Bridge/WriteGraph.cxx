@@ -35,11 +35,11 @@ public:
 
   void AddNodes();
   void AddRepairs();
-  void AddArcs();
+  void AddArcs(const Execution& execution);
   void AddIsolated();
 
 private:
-  void AddArc(Index arc);
+  void AddArc(Index arc, double length);
   /// The values of one cell, in the order of the arrays.
   struct Row
   {
@@ -53,7 +53,8 @@ private:
     bool Virtual; ///< an arc or contour of a virtual slice, or a node point on one
   };
   void AddRow(const Row& row);
-  double SumLength(vtkIdType count, const vtkIdType* ids) const;
+  void ListIds(Index arc, std::vector<vtkIdType>& ids) const;
+  double SumLength(const std::vector<vtkIdType>& ids) const;
 
   const Reconstruction& Result;
   vtkPolyData* Graph;
@@ -149,11 +150,11 @@ void GraphWriter::AddRepairs()
   }
 }
 
-double GraphWriter::SumLength(vtkIdType count, const vtkIdType* ids) const
+double GraphWriter::SumLength(const std::vector<vtkIdType>& ids) const
 {
   double length = 0.0;
   double a[3], b[3];
-  for (vtkIdType i = 1; i < count; ++i)
+  for (std::size_t i = 1; i < ids.size(); ++i)
   {
     this->Graph->GetPoint(ids[i - 1], a);
     this->Graph->GetPoint(ids[i], b);
@@ -162,35 +163,57 @@ double GraphWriter::SumLength(vtkIdType count, const vtkIdType* ids) const
   return length;
 }
 
-void GraphWriter::AddArc(Index arc)
+/// The points of an arc, from node point to node point.
+void GraphWriter::ListIds(Index arc, std::vector<vtkIdType>& ids) const
 {
-  const GridCrossings& crossings = this->Result.Crossings;
   const NodeGraph& graph = this->Result.Graph;
-  const Index start = this->Result.Nodes.NodeOf[arc];
-  this->Ids.assign(1, start);
+  ids.assign(1, this->Result.Nodes.NodeOf[arc]);
   for (Index i = 0; i < graph.PointCount(arc); ++i)
   {
-    this->Ids.push_back(graph.FirstPoint(arc) + i);
+    ids.push_back(graph.FirstPoint(arc) + i);
   }
-  this->Ids.push_back(this->Result.Nodes.NodeOf[crossings.Next[arc]]);
-  const vtkIdType count = static_cast<vtkIdType>(this->Ids.size());
-  this->Lines->InsertNextCell(count, this->Ids.data());
+  ids.push_back(this->Result.Nodes.NodeOf[this->Result.Crossings.Next[arc]]);
+}
+
+void GraphWriter::AddArc(Index arc, double length)
+{
+  const GridCrossings& crossings = this->Result.Crossings;
+  this->ListIds(arc, this->Ids);
+  this->Lines->InsertNextCell(static_cast<vtkIdType>(this->Ids.size()), this->Ids.data());
   const GridEdge edge = this->Code.Decode(crossings.Edge[arc]);
   const bool first = crossings.Family[arc] == 0;
   this->AddRow({ ArcKind, 0.0, first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction),
-    first ? edge.First : edge.Second, this->SumLength(count, this->Ids.data()),
-    graph.Component[start], 0.0, IsVirtualSlice(this->Result.Grid, edge, crossings.Family[arc]) });
+    first ? edge.First : edge.Second, length,
+    this->Result.Graph.Component[this->Result.Nodes.NodeOf[arc]], 0.0,
+    IsVirtualSlice(this->Result.Grid, edge, crossings.Family[arc]) });
 }
 
-void GraphWriter::AddArcs()
+void GraphWriter::AddArcs(const Execution& execution)
 {
-  for (Index arc = 0; arc < this->Result.Crossings.Count(); ++arc)
-  {
-    if (!this->Result.Crossings.IsRemoved(arc))
+  const GridCrossings& crossings = this->Result.Crossings;
+  std::vector<double> lengths(static_cast<std::size_t>(crossings.Count()), 0.0);
+  execution.For(lengths.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      this->AddArc(arc);
-    }
-  }
+      std::vector<vtkIdType> ids;
+      for (Index arc = static_cast<Index>(begin); arc < static_cast<Index>(end); ++arc)
+      {
+        if (!crossings.IsRemoved(arc))
+        {
+          this->ListIds(arc, ids);
+          lengths[arc] = this->SumLength(ids);
+        }
+      }
+    });
+  ForInOrder(execution, lengths.size(),
+    [&](std::size_t i)
+    {
+      const Index arc = static_cast<Index>(i);
+      if (!crossings.IsRemoved(arc))
+      {
+        this->AddArc(arc, lengths[i]);
+      }
+    });
 }
 
 void GraphWriter::AddIsolated()
@@ -210,14 +233,15 @@ void GraphWriter::AddIsolated()
     const int component = loop == IsolatedContours::None
       ? -1
       : this->Result.Graph.Component[this->Result.Graph.Nodes + loop];
-    this->AddRow({ IsolatedKind, 0.0, isolated.Axis[i], isolated.Plane[i],
-      this->SumLength(count, this->Ids.data()), component, 0.0,
-      this->Result.Grid.IsVirtual(isolated.Axis[i], isolated.Plane[i]) });
+    this->AddRow(
+      { IsolatedKind, 0.0, isolated.Axis[i], isolated.Plane[i], this->SumLength(this->Ids),
+        component, 0.0, this->Result.Grid.IsVirtual(isolated.Axis[i], isolated.Plane[i]) });
   }
 }
 }
 
-void WriteGraph(const Reconstruction& result, bool doublePrecision, vtkPolyData* graph)
+void WriteGraph(const Reconstruction& result, const Execution& execution, bool doublePrecision,
+  vtkPolyData* graph)
 {
   std::vector<double> others = result.Isolated.Points;
   for (const Repair& repair : result.Repairs)
@@ -226,13 +250,13 @@ void WriteGraph(const Reconstruction& result, bool doublePrecision, vtkPolyData*
   }
   const vtkIdType graphPoints = result.Graph.Count();
   auto points = NewPoints(doublePrecision, graphPoints + static_cast<vtkIdType>(others.size() / 3));
-  CopyPoints(result.Graph.Points, 0, points);
-  CopyPoints(others, graphPoints, points);
+  CopyPoints(result.Graph.Points, 0, execution, points);
+  CopyPoints(others, graphPoints, execution, points);
   graph->SetPoints(points);
   GraphWriter writer(result, graph);
   writer.AddNodes();
   writer.AddRepairs();
-  writer.AddArcs();
+  writer.AddArcs(execution);
   writer.AddIsolated();
 }
 }

@@ -3,6 +3,8 @@
 #ifndef OrthoSlicesWriteGraph_h
 #define OrthoSlicesWriteGraph_h
 
+#include "Core/Base/Execution.h"
+
 class vtkPolyData;
 
 namespace orthoslices
@@ -10,7 +12,8 @@ namespace orthoslices
 struct Reconstruction;
 
 /// Port 1: the graph G, the repairs and the isolated contours.
-void WriteGraph(const Reconstruction& result, bool doublePrecision, vtkPolyData* graph);
+void WriteGraph(const Reconstruction& result, const Execution& execution, bool doublePrecision,
+  vtkPolyData* graph);
 }
 
 #endif

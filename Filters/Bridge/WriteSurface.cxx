@@ -23,6 +23,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace orthoslices
 {
@@ -49,10 +54,14 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
   offsets->SetNumberOfValues(count + 1);
   connectivity->SetNumberOfValues(3 * count);
   auto* offset = offsets->GetPointer(0);
-  for (vtkIdType i = 0; i <= count; ++i)
-  {
-    offset[i] = static_cast<typename IdArray::ValueType>(3 * i);
-  }
+  execution.For(static_cast<std::size_t>(count) + 1,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        offset[i] = static_cast<typename IdArray::ValueType>(3 * i);
+      }
+    });
   const CycleGeometry geometry = GeometryOf(result);
   WriteTriangles(result.Surface, geometry, execution, connectivity->GetPointer(0));
   cells->SetData(offsets, connectivity);
@@ -90,44 +99,53 @@ void AddDisagreement(const Reconstruction& result, vtkIdType count,
   }
 }
 
-/**
- * Component, cell of M and size of the polygon, for each triangle. Everything but that is released
- * before the arrays are made.
- */
-void FillCellArrays(Reconstruction& result, double reportTolerance, vtkCellData* data)
+/// What the triangles of a patch have in common, for each cycle.
+struct PatchValues
 {
-  const CellCycles& cycles = result.Cycles;
+  std::vector<int> Component;
+  std::vector<Index> Size;
+  std::vector<unsigned char> Repair;
+};
+
+PatchValues ListPatchValues(const Reconstruction& result, double reportTolerance)
+{
   const CycleGeometry geometry = GeometryOf(result);
-  std::vector<int> components(cycles.Count());
-  for (Index i = 0; i < cycles.Count(); ++i)
+  PatchValues values;
+  values.Component.resize(result.Cycles.Count());
+  for (Index i = 0; i < result.Cycles.Count(); ++i)
   {
-    components[i] = result.Graph.Component[geometry.PartOf(i)];
+    values.Component[i] = result.Graph.Component[geometry.PartOf(i)];
   }
-  const std::vector<Index> sizes = CountNodePoints(geometry, result.Surface.Meshes);
-  const std::vector<unsigned char> repairs =
-    FindPatchRepairs(geometry, result.Surface.Meshes, reportTolerance);
-  result.Crossings = GridCrossings();
-  result.Nodes = NodePoints();
-  result.Graph = NodeGraph();
-  result.Cycles.Arcs = {};
-  const vtkIdType count = result.Surface.TriangleCount();
+  values.Size = CountNodePoints(geometry, result.Surface.Meshes);
+  values.Repair = FindPatchRepairs(geometry, result.Surface.Meshes, reportTolerance);
+  return values;
+}
+
+/// Component, cell of M and size of the polygon, for each triangle.
+void FillCellArrays(const PatchValues& values, const CellCycles& cycles,
+  const std::vector<std::int64_t>& offsets, const Execution& execution, vtkCellData* data)
+{
+  const vtkIdType count = offsets.back();
   int* component = AddArray<vtkIntArray>(data, "ComponentId", 1, count)->GetPointer(0);
   auto* cell = AddArray<vtkUnsignedShortArray>(data, "GridCell", 3, count)->GetPointer(0);
   auto* size = AddArray<vtkUnsignedShortArray>(data, "PolygonSize", 1, count)->GetPointer(0);
   auto* repair = AddArray<vtkUnsignedCharArray>(data, "Repaired", 1, count)->GetPointer(0);
-  for (Index i = 0; i < cycles.Count(); ++i)
-  {
-    const std::int64_t begin = result.Surface.Offsets[i];
-    const std::int64_t end = result.Surface.Offsets[i + 1];
-    std::fill(component + begin, component + end, components[i]);
-    std::fill(repair + begin, repair + end, repairs[i]);
-    std::fill(size + begin, size + end,
-      static_cast<unsigned short>(std::min<Index>(sizes[i], VTK_UNSIGNED_SHORT_MAX)));
-    for (std::int64_t triangle = begin; triangle < end; ++triangle)
+  execution.For(cycles.Cell.size(),
+    [&](std::size_t first, std::size_t last)
     {
-      std::copy(cycles.Cell[i].begin(), cycles.Cell[i].end(), cell + 3 * triangle);
-    }
-  }
+      for (std::size_t i = first; i < last; ++i)
+      {
+        const std::int64_t begin = offsets[i], end = offsets[i + 1];
+        std::fill(component + begin, component + end, values.Component[i]);
+        std::fill(repair + begin, repair + end, values.Repair[i]);
+        std::fill(size + begin, size + end,
+          static_cast<unsigned short>(std::min<Index>(values.Size[i], VTK_UNSIGNED_SHORT_MAX)));
+        for (std::int64_t triangle = begin; triangle < end; ++triangle)
+        {
+          std::copy(cycles.Cell[i].begin(), cycles.Cell[i].end(), cell + 3 * triangle);
+        }
+      }
+    });
 }
 
 void AddFieldData(const Reconstruction& result, vtkFieldData* data)
@@ -158,34 +176,82 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
 }
 }
 
-void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool doublePrecision,
-  const SurfaceArrayOptions& arrays, double reportTolerance, vtkPolyData* surface)
+namespace
 {
-  Reconstruction result = std::move(consumed);
-  const bool withNormals = arrays.Normals || arrays.Curvatures;
+/// From so many triangles on, memory that was released goes back to the system.
+constexpr std::int64_t ManyTriangles = 100000;
+
+/// Gives memory that was released back to the system. What small blocks took stays with the process
+/// otherwise, and large arrays come on top of it.
+void GiveBackMemory(const Reconstruction& result)
+{
+#ifdef __GLIBC__
+  if (result.Surface.TriangleCount() >= ManyTriangles)
+  {
+    malloc_trim(0);
+  }
+#else
+  static_cast<void>(result);
+#endif
+}
+
+/// Of the patches, and of G, if triangles are not improved; see Patches.
+vtkIdType CountPoints(const Patches& patches)
+{
+  return patches.MeshOffsets.back() + patches.Inner.PointOffsets.back() - patches.Inner.Count();
+}
+
+/// The points of the surface in their order, see Patches.
+vtkSmartPointer<vtkPoints> MakePoints(
+  const Reconstruction& result, bool doublePrecision, const Execution& execution)
+{
+  const Patches& patches = result.Surface;
+  if (patches.Improved.Any())
+  {
+    auto points =
+      NewPoints(doublePrecision, static_cast<vtkIdType>(patches.Improved.Points.size() / 3));
+    CopyPoints(patches.Improved.Points, 0, execution, points);
+    return points;
+  }
   const Index graphPoints = result.Graph.Count();
-  const vtkIdType allCenters = vtkIdType(graphPoints) + result.Cycles.Count();
-  std::vector<double> otherPoints = ListOtherPoints(result.Surface);
-  const vtkIdType allPoints = allCenters + static_cast<vtkIdType>(otherPoints.size() / 3);
-  const std::vector<std::int64_t> origins = std::move(result.Surface.Improved.Origin);
-  const bool isImproved = result.Surface.Improved.Any();
-  result.Surface.Inner.Points = {};
-  auto points =
-    NewPoints(doublePrecision, isImproved ? static_cast<vtkIdType>(origins.size()) : allPoints);
-  if (isImproved)
+  const InnerPatches& inner = patches.Inner;
+  auto points = NewPoints(doublePrecision, CountPoints(patches));
+  CopyPoints(result.Graph.Points, 0, execution, points);
+  CopyPoints(patches.CentralPoints, graphPoints, execution, points);
+  for (std::size_t m = 0; m < patches.Meshes.size(); ++m)
   {
-    CopyPoints(result.Surface.Improved.Points, 0, points);
+    const PatchMesh& mesh = patches.Meshes[m];
+    for (std::size_t i = mesh.Cycles.size(); i < mesh.Points.size(); ++i)
+    {
+      points->SetPoint(patches.MeshOffsets[m] + static_cast<vtkIdType>(i - mesh.Cycles.size()),
+        mesh.Points[i].data());
+    }
   }
-  else
-  {
-    CopyPoints(result.Graph.Points, 0, points);
-    CopyPoints(result.Surface.CentralPoints, graphPoints, points);
-    CopyPoints(otherPoints, allCenters, points);
-  }
-  otherPoints = {};
-  result.Graph.Points = {};
-  result.Surface.CentralPoints = {};
-  surface->SetPoints(points);
+  execution.For(static_cast<std::size_t>(inner.Count()),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (Index i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i)
+      {
+        CopyPoints(inner.Points.data() + 3 * (inner.PointOffsets[i] + 1),
+          inner.Points.data() + 3 * inner.PointOffsets[i + 1], patches.InnerPointId(i), points);
+      }
+    });
+  return points;
+}
+
+/// The normals that the smooth surface has at all points, or at those that are left of them; empty
+/// if there are none.
+std::vector<float> ListNormals(const Reconstruction& result, const Execution& execution)
+{
+  const Index graphPoints = result.Graph.Count();
+  std::vector<float> smooth = ListSmoothNormals(
+    result.Normals, result.Surface, graphPoints, CountPoints(result.Surface), execution);
+  const ImprovedTriangles& improved = result.Surface.Improved;
+  return improved.Any() && !smooth.empty() ? SelectNormals(smooth, improved.Origin) : smooth;
+}
+
+void SetTriangles(const Reconstruction& result, const Execution& execution, vtkPolyData* surface)
+{
   vtkNew<vtkCellArray> cells;
   if (3 * result.Surface.TriangleCount() < std::numeric_limits<std::int32_t>::max())
   {
@@ -196,23 +262,43 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
     FillTriangles<vtkTypeInt64Array>(result, execution, cells);
   }
   surface->SetPolys(cells);
+}
+}
+
+void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool doublePrecision,
+  const SurfaceArrayOptions& arrays, double reportTolerance, vtkPolyData* surface)
+{
+  // Each table is released as soon as nothing is left to be made from it.
+  Reconstruction result = std::move(consumed);
+  Patches& patches = result.Surface;
+  const bool isImproved = patches.Improved.Any();
+  GiveBackMemory(result);
+  SetTriangles(result, execution, surface);
+  patches.Inner.Corners = {};
+  const PatchValues values = ListPatchValues(result, reportTolerance);
   AddFieldData(result, surface->GetFieldData());
-  AddDisagreement(
-    result, surface->GetNumberOfPoints(), isImproved ? &origins : nullptr, surface->GetPointData());
-  std::vector<float> smooth = withNormals
-    ? ListSmoothNormals(result.Normals, result.Surface, graphPoints, allPoints)
-    : std::vector<float>();
-  if (isImproved && !smooth.empty())
+  result.Cycles.Arcs = {};
+  result.Crossings = GridCrossings();
+  surface->SetPoints(MakePoints(result, doublePrecision, execution));
+  AddDisagreement(result, surface->GetNumberOfPoints(),
+    isImproved ? &patches.Improved.Origin : nullptr, surface->GetPointData());
+  result.Graph.Points = {};
+  result.Nodes = NodePoints();
+  patches.CentralPoints = {};
+  patches.Inner.Points = {};
+  patches.Improved.Points = {};
+  if (arrays.Normals || arrays.Curvatures)
   {
-    smooth = SelectNormals(smooth, origins);
-  }
-  FillCellArrays(result, reportTolerance, surface->GetCellData());
-  result = Reconstruction();
-  AddQuality(surface, execution);
-  if (withNormals)
-  {
+    const std::vector<float> smooth = ListNormals(result, execution);
+    result.Normals = SurfaceNormals();
+    patches.Inner.Normals = {};
     AddNormals(surface, smooth, execution);
   }
+  const CellCycles cycles = std::move(result.Cycles);
+  const std::vector<std::int64_t> offsets = std::move(patches.Offsets);
+  result = Reconstruction();
+  FillCellArrays(values, cycles, offsets, execution, surface->GetCellData());
+  AddQuality(surface, execution);
   if (arrays.Curvatures)
   {
     AddCurvatures(surface);

@@ -123,7 +123,7 @@ bool AddBorderSlices(Pass& pass)
   const Box3 given = std::exchange(pass.Tables.Border, Everywhere());
   Pass sketch(pass, ContinueBeyond(pass.Tables.Contours, border, spacing));
   pass.Tables.Border = given;
-  sketch.SetShare(0.0, 0.5);
+  sketch.SetShare(0.04, 0.5);
   sketch.Settings.Patching.Accuracy = 0.0; // its contours are cut
   sketch.Settings.Patching.OwnAccuracy = false;
   if (!ConnectContours(sketch) || !FillCycles(sketch.Settings.Patching, sketch))
@@ -149,7 +149,7 @@ bool AddBorderSlices(Pass& pass)
     pass.Tables.Contours = ContinueBeyond(pass.Tables.Contours, border, beyond);
     pass.AddVirtualSlices(cuts, bounds);
   }
-  pass.SetShare(0.3, 1.0);
+  pass.SetShare(0.5, 1.0);
   return true;
 }
 }

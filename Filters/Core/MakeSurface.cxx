@@ -85,17 +85,18 @@ bool MakeSlicesAgree(Pass& pass)
     RegisterCrossings(tables.Contours, result.Grid, pass.Execute, tables.IsolatedParts);
   tables.Edges = FileOnEdges(result.Crossings);
   pass.Finish(Stage::RegisterCrossings);
-  if (!pass.GoOn(0.5))
+  if (!pass.GoOn())
   {
     return false;
   }
   result.Reconciled =
     ReconcileSlices({ result.Grid, result.Crossings, tables.Edges, tables.IsolatedParts },
-      pass.Settings.Weights, result.InsideOut ? 1 : 0);
+      pass.Settings.Weights, result.InsideOut ? 1 : 0, pass.Execute);
   result.Repairs.swap(result.Reconciled.Repairs);
   pass.Report(pass.Inserted);
   pass.Finish(Stage::ReconcileSlices);
-  result.Nodes = PairNodePoints(result.Grid, result.Crossings, tables.Edges, pass.Settings.Weights);
+  result.Nodes = PairNodePoints(
+    result.Grid, result.Crossings, tables.Edges, pass.Settings.Weights, pass.Execute);
   pass.Finish(Stage::PairNodePoints);
   tables.Edges = EdgeRegister();
   return true;
@@ -126,7 +127,7 @@ bool BuildGraph(Pass& pass)
     EmbedArcs({ result.Grid, result.Nodes, result.Crossings, result.Graph }, pass.Execute));
   pass.Finish(Stage::EmbedArcs);
   contours = Contours();
-  return pass.GoOn(0.65);
+  return pass.GoOn();
 }
 
 /// Of the differences of slices at all node points.
@@ -152,7 +153,7 @@ bool PatchCells(Pass& pass)
   }
   pass.Report(DescribeShells(pass.Result));
   pass.Finish(Stage::FindUndecidedPlaces);
-  return pass.GoOn(0.7);
+  return pass.GoOn();
 }
 }
 
@@ -269,6 +270,6 @@ bool FillCycles(const PatchOptions& options, Pass& pass)
   LayOutTriangles(result.Graph, result.Cycles, result.Surface);
   pass.Finish(Stage::LayOutTriangles);
   ImproveIfLight(patching.Accuracy, light, pass);
-  return pass.GoOn(0.8);
+  return pass.GoOn();
 }
 }

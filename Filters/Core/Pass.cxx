@@ -17,9 +17,9 @@
 namespace orthoslices
 {
 Pass::Pass(const Pass& first, Contours&& contours)
-  : Pass(first, std::move(contours), first.Execute)
+  : Pass(first, std::move(contours), first.Outer)
 {
-  this->Furthest = first.Furthest;
+  this->Progress->ShareWhole(*first.Progress);
 }
 
 Pass::Pass(const Pass& first, Contours&& contours, const Execution& execution)
@@ -58,20 +58,19 @@ void Pass::Finish(Stage stage) const
   {
     this->Observe(stage, this->Tables, this->Result);
   }
+  this->Progress->Finish(stage, StageShares(this->Settings, this->Result.Grid));
 }
 
-bool Pass::GoOn(double progress)
+bool Pass::GoOn()
 {
-  double& furthest = *this->Furthest;
-  furthest = std::max(furthest, this->From + (this->To - this->From) * progress);
-  this->Result.Stopped = !this->Execute.Continue(furthest);
+  this->Result.Stopped = !this->Progress->GoOn();
   return !this->Result.Stopped;
 }
 
-void Pass::SetShare(double from, double to)
+bool Pass::GoOn(double share)
 {
-  this->From = from;
-  this->To = to;
+  this->Result.Stopped = !this->Progress->GoOn(share);
+  return !this->Result.Stopped;
 }
 
 void Pass::Report(const std::vector<Repair>& repairs)

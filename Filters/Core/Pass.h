@@ -5,6 +5,7 @@
 
 #include "Core/Base/Execution.h"
 #include "Core/Options.h"
+#include "Core/PassProgress.h"
 #include "Core/Reconstruction.h"
 #include "Core/Stage.h"
 
@@ -23,8 +24,12 @@ class Pass
 public:
   Pass(const Options& options, const Execution& execution, const StageObserver& observer)
     : Settings(options)
-    , Execute(execution)
+    , Outer(execution)
     , Observe(observer)
+    , Progress(std::make_shared<PassProgress>(execution))
+    , Execute(Watch(execution,
+        [progress = this->Progress](std::size_t done, std::size_t count)
+        { progress->Advance(done, count); }))
   {
   }
 
@@ -35,16 +40,16 @@ public:
   Pass(const Pass& first, Contours&& contours, const Execution& execution);
 
   /// Is called after each stage: shows the tables to the observer, and checks them if the build has
-  /// invariants checked.
+  /// invariants checked. What comes next counts as the next stage in the progress.
   void Finish(Stage stage) const;
 
-  /// Names the share of this part's work that is done, and asks whether to go on. False: stop.
-  /// Progress never goes back: after an attempt that failed it stays until the next one has come as
-  /// far.
-  bool GoOn(double progress);
+  /// Asks whether to go on after a stage, or after a share of work that is none; see PassProgress.
+  /// False: stop.
+  bool GoOn();
+  bool GoOn(double share);
 
-  /// Where the part that comes next begins and ends in the progress of the whole, 0 to 1.
-  void SetShare(double from, double to);
+  /// See PassProgress.
+  void SetShare(double from, double to) { this->Progress->SetShare(from, to); }
 
   /// Lists repairs, those of virtual slices in OfVirtual.
   void Report(const std::vector<Repair>& repairs);
@@ -70,8 +75,16 @@ public:
   bool ShowsDoubts() const { return !this->Result.Grid.HasVirtual() || this->OwnsVirtual; }
 
   Options Settings;
-  const Execution& Execute;
+  const Execution& Outer; ///< the caller's
   const StageObserver& Observe;
+
+private:
+  std::shared_ptr<PassProgress> Progress;
+
+public:
+  /// The same, but that loops count as part of the progress of the current stage, and throw Stopped
+  /// if the caller does not want to go on.
+  Execution Execute;
   StageTables Tables;
   std::vector<Repair> Inserted;  ///< contours that slices lack
   std::vector<Repair> OfVirtual; ///< repairs of virtual slices, of which the report says nothing
@@ -80,9 +93,7 @@ public:
 private:
   Box3 Bounds = Everywhere(); ///< of the surface, where slices were added at its ends,
   const std::array<std::vector<double>, 3>* OtherPlanes = nullptr;
-  bool OwnsVirtual = false;    ///< slices were added by this pass: else another one made the report
-  double From = 0.0, To = 1.0; ///< progress of the whole at 0 and 1 of the part at work
-  std::shared_ptr<double> Furthest = std::make_shared<double>(0.0); ///< progress of all passes
+  bool OwnsVirtual = false; ///< slices were added by this pass: else another one made the report
 };
 }
 

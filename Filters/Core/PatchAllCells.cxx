@@ -258,7 +258,8 @@ void CellPatcher::SeparatePatches()
 void CellPatcher::PatchCells()
 {
   Reconstruction& result = this->Result;
-  CellCycles cycles = TraceCycles(result.Grid, result.Crossings, result.Nodes, result.Graph);
+  CellCycles cycles =
+    TraceCycles(result.Grid, result.Crossings, result.Nodes, result.Graph, this->Execute);
   // Slabs are stitched all together, and give loops other points.
   const bool isNew =
     !this->Separator || !this->Known.Patches.empty() || !AreSame(cycles, result.Cycles);

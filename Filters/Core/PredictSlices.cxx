@@ -118,7 +118,7 @@ double ComparePredictions(const Contours& drawn, Pass& first, double step, const
   double byPatches = 0.0, byField = 0.0;
   const std::vector<SliceName> slices = ChooseSlices(first.Result.Grid);
   std::size_t done = 0;
-  Execution part = first.Execute;
+  Execution part = first.Outer;
   part.Continue = [&](double progress)
   { return first.GoOn((static_cast<double>(done) + progress) / slices.size()); };
   for (; done < slices.size(); ++done)

@@ -59,7 +59,8 @@ bool ReadContours(std::array<Pieces, 3>&& pieces, Pass& pass)
   settings.AloneTolerance = AloneTolerance * pass.Result.Diagonal;
   settings.AtBorder = pass.Settings.AtBorder;
   settings.GivenBorder = pass.Settings.GivenBorder;
-  PieceProblems problems = AssembleContours(std::move(pieces), settings, pass.Tables.Contours);
+  PieceProblems problems =
+    AssembleContours(std::move(pieces), settings, pass.Tables.Contours, pass.Execute);
   pass.Result.Invalid = std::move(problems.Unusable);
   pass.Result.Mended = std::move(problems.Mended);
   if (settings.AtBorder == BorderContours::LeaveOpen)
@@ -78,7 +79,7 @@ bool ReadContours(std::array<Pieces, 3>&& pieces, Pass& pass)
     pass.Result.Mended.clear();
   }
   pass.Finish(Stage::AssembleContours);
-  return pass.GoOn(0.15);
+  return pass.GoOn();
 }
 
 /// Contours that are drawn twice count once, and those that cross bound what a rule says. Returns
@@ -124,13 +125,13 @@ bool OrientSlices(Pass& pass)
   result.Refused = (options.Invalid != InvalidContours::LeaveOut && !result.Invalid.empty()) ||
     (options.Crossing == CrossingContours::Refuse && !result.CrossingProblems.empty());
   pass.Finish(Stage::OrientContours);
-  if (result.Refused || !pass.GoOn(0.35))
+  if (result.Refused || !pass.GoOn())
   {
     return false;
   }
   if (options.InsertMissing && !result.Grid.HasVirtual())
   {
-    MissingContours missing = FindMissingContours(contours, result.Grid);
+    MissingContours missing = FindMissingContours(contours, result.Grid, pass.Execute);
     AppendContours(missing.Found, contours);
     pass.Inserted = std::move(missing.Repairs);
   }

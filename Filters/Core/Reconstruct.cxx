@@ -28,8 +28,15 @@ Reconstruction Reconstruct(std::array<Pieces, 3>&& pieces, const Options& option
   const Execution& execution, const StageObserver& observer)
 {
   Pass pass(options, execution, observer);
-  // Each part says whether to go on.
-  static_cast<void>(ReadSlices(std::move(pieces), pass) && ReconstructContours(pass));
+  try
+  {
+    // Each part says whether to go on.
+    static_cast<void>(ReadSlices(std::move(pieces), pass) && ReconstructContours(pass));
+  }
+  catch (const Stopped&)
+  {
+    pass.Result.Stopped = true;
+  }
   return std::move(pass.Result);
 }
 }

@@ -13,7 +13,14 @@ LabelSurfaces ReconstructLabels(
 {
   LabelSurfaces surfaces;
   LabelRunner runner(labels, options, execution);
-  surfaces.Stopped = !runner.Run();
+  try
+  {
+    surfaces.Stopped = !runner.Run();
+  }
+  catch (const Stopped&)
+  {
+    surfaces.Stopped = true;
+  }
   if (surfaces.Stopped)
   {
     return surfaces;

@@ -13,6 +13,15 @@
  */
 namespace orthoslices
 {
+/// Progress where slices are few, when these are done: reading, the sketch of the first surface,
+/// leaving slices out, the surface of a stack alone, what is bent and cut. The rest is the surface
+/// of real and virtual slices.
+constexpr double ProgressOfSlices = 0.04;
+constexpr double ProgressOfSketch = 0.3;
+constexpr double ProgressOfPredictions = 0.45;
+constexpr double ProgressOfStack = 0.5;
+constexpr double ProgressOfBending = 0.62;
+
 /// A surface that shows the topology and is going to be bent: with no more triangles than that
 /// needs. `edgeLength` is in world units. False: stopped.
 bool Sketch(double edgeLength, Pass& pass);

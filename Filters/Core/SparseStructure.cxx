@@ -12,7 +12,7 @@ namespace orthoslices
 {
 bool SparseStructure::Draw()
 {
-  this->First.SetShare(0.245, 0.545);
+  this->First.SetShare(ProgressOfSlices, ProgressOfSketch);
   if (!ConnectContours(this->First))
   {
     return false;
@@ -23,6 +23,7 @@ bool SparseStructure::Draw()
     return false;
   }
   Reconstruction& first = this->First.Result;
+  this->First.SetShare(ProgressOfStack, ProgressOfBending);
   Execution execution = this->First.Execute;
   execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
   const double cornerAngle = this->First.Settings.Patching.CornerAngle;
@@ -38,7 +39,7 @@ bool SparseStructure::Draw()
     return !first.Stopped;
   }
   Pass stack(this->First, Contours(ofStack));
-  stack.SetShare(0.485, 0.5);
+  stack.SetShare(ProgressOfPredictions, ProgressOfStack);
   if (!ConnectContours(stack) || !Sketch(this->Density.EdgeLength(), stack))
   {
     first.Stopped = true;
@@ -74,7 +75,7 @@ bool SparseStructure::Finish()
   if (this->Virtual.Count() == 0)
   {
     this->First.Result.Surface.CentralPoints.swap(this->Centers);
-    this->First.SetShare(0.0, 1.0);
+    this->First.SetShare(ProgressOfBending, 1.0);
     return FillCycles(this->First.Settings.Patching, this->First);
   }
   std::vector<Index> leftOut;

@@ -70,7 +70,7 @@ bool SparseRunner::Stop()
 bool SparseRunner::FillFirst()
 {
   this->First.Result.Surface.CentralPoints.swap(this->Centers);
-  this->First.SetShare(0.0, 1.0);
+  this->First.SetShare(ProgressOfBending, 1.0);
   return FillCycles(this->First.Settings.Patching, this->First);
 }
 
@@ -83,7 +83,7 @@ bool SparseRunner::BendStack()
     return false;
   }
   Pass stack(this->First, SelectAxis(this->Drawn, axis, true));
-  stack.SetShare(0.485, 0.5);
+  stack.SetShare(ProgressOfPredictions, ProgressOfStack);
   if (!ConnectContours(stack) || !Sketch(this->Sparse.EdgeLength(), stack))
   {
     return this->Stop();
@@ -198,7 +198,7 @@ bool SparseRunner::RunAgain(SecondSurface&& second)
     LimitBoundsTo(second.Bounds, again.Result.Grid);
     if (attempt > 0)
     {
-      again.SetShare(0.8, 0.8); // further attempts are not foreseen in the progress
+      again.SetShare(1.0, 1.0); // further attempts are not foreseen in the progress
     }
     if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
     {
@@ -273,10 +273,10 @@ bool SparseRunner::FollowField()
   }
   const std::vector<WorldLoop> loops = ListLoops(this->Drawn, first);
   const double step = SampleStep(loops, this->Sparse.EdgeLength());
-  this->First.SetShare(0.5, 0.6);
+  this->First.SetShare(ProgressOfSketch, ProgressOfPredictions);
   const double patchesByField = ComparePredictions(
     this->Drawn, this->First, step, [this](Pass& pass) { return this->SketchWithoutField(pass); });
-  this->First.SetShare(0.6, 0.66);
+  this->First.SetShare(ProgressOfPredictions, ProgressOfBending);
   if (patchesByField < enough || !this->First.GoOn(0.0))
   {
     return false;
@@ -296,8 +296,7 @@ bool SparseRunner::FollowField()
 
 bool SparseRunner::Run()
 {
-  // Two surfaces are made: 0.35 to 0.8 of the first one is 0.35 to 0.485 of the whole.
-  this->First.SetShare(0.245, 0.545);
+  this->First.SetShare(ProgressOfSlices, ProgressOfSketch);
   if (!ConnectContours(this->First))
   {
     return false;
@@ -307,7 +306,7 @@ bool SparseRunner::Run()
   {
     return false;
   }
-  this->First.SetShare(0.5, 0.66);
+  this->First.SetShare(ProgressOfSketch, ProgressOfBending);
   const Reconstruction& result = this->First.Result;
   const bool isDone = (this->Sparse.Field.IsSparse() && this->FollowField()) ||
     (!result.Stopped && this->Sparse.Bending.IsSparse() &&

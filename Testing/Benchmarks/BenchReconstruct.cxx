@@ -11,14 +11,21 @@
  * a lattice of 3 x 3 x 3 hollow spheres, cut by `planes` planes on each axis; circles have as many
  * vertices as give the wanted number of points in all. Every size runs in a process of its own, so
  * that peak memory is that size's. Seconds are the least of the repetitions, from vtkPolyData to
- * vtkPolyData. Memory is the growth of the process's peak over the time before the inputs were
- * made. With --stages a list follows of what each stage of the core takes in one more run.
+ * vtkPolyData; below `memcpy` they are in terms of what copying as many bytes takes as the inputs
+ * and outputs have, in memory that is there already. Memory is the growth of the process's peak over
+ * the time before the inputs were made. With --stages a list follows of each step in one more run,
+ * conversions included: its seconds, those of the processor in all threads, its peak memory, and
+ * what part of the processor's time is in loops that run in parallel; then that of each loop, from
+ * the end of the one before.
  */
 
 #include "vtkOrthogonalSliceReconstruction.h"
 
 #include "Bridge/ExecuteWithVtk.h"
 #include "Bridge/ReadPieces.h"
+#include "Bridge/WriteComponents.h"
+#include "Bridge/WriteGraph.h"
+#include "Bridge/WriteSurface.h"
 #include "Core/ReconstructSorted.h"
 
 #include "vtkCellArray.h"
@@ -27,14 +34,17 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkTable.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
-#include <map>
+#include <malloc.h>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -140,14 +150,94 @@ double PeakMegabytes()
   return kilobytes / 1024.0;
 }
 
-/// Prints how long each stage takes, all its runs together, in the order of the stages.
-void PrintStages(vtkOrthogonalSliceReconstruction* filter, bool doublePrecision)
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point start)
 {
-  orthoslices::Polylines lines;
-  for (int port = 0; port < 3; ++port)
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Of the processor, in all threads.
+double ProcessorSeconds()
+{
+  timespec time;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return time.tv_sec + 1e-9 * time.tv_nsec;
+}
+
+/// Measures the steps of one run, one after another, and the loops of each.
+class StepTimer
+{
+public:
+  /// Memory is that beyond so many megabytes.
+  explicit StepTimer(double before)
+    : Before(before)
   {
-    orthoslices::ReadPieces(filter->GetInputDataObject(port, 0), port, doublePrecision, lines);
+    malloc_trim(0);
+    this->Begin();
   }
+
+  /// Ends a step: prints its seconds, its memory and its loops.
+  void End(const char* name)
+  {
+    const double seconds = SecondsSince(this->Start);
+    const double processor = ProcessorSeconds() - this->ProcessorStart;
+    std::printf("  %-24s %9.4f %9.4f %8.1f %5.2f", name, seconds, processor,
+      PeakMegabytes() - this->Before, this->InLoops / processor);
+    double before = 0.0;
+    for (const double loop : this->LoopEnds)
+    {
+      std::printf(" %.2f", (loop - before) / processor);
+      before = loop;
+    }
+    std::printf("\n");
+    this->Sum += seconds;
+    this->ProcessorSum += processor;
+    this->AllInLoops += this->InLoops;
+    this->Begin();
+  }
+
+  void PrintSums() const
+  {
+    std::printf("  %-24s %9.4f %9.4f %8s %5.2f\n", "all", this->Sum, this->ProcessorSum, "",
+      this->AllInLoops / this->ProcessorSum);
+  }
+
+  /// Begins a step, with what it needs in memory now.
+  void Begin()
+  {
+    std::ofstream("/proc/self/clear_refs") << "5";
+    this->Start = Clock::now();
+    this->ProcessorStart = ProcessorSeconds();
+    this->InLoops = 0.0;
+    this->LoopEnds.clear();
+  }
+
+  /// Runs loops as another execution does, and measures them.
+  orthoslices::Execution Wrap(const orthoslices::Execution& execution)
+  {
+    orthoslices::Execution wrapped = execution;
+    wrapped.For = [this, execution](std::size_t count, const orthoslices::Execution::Range& run)
+    {
+      const double start = ProcessorSeconds();
+      execution.For(count, run);
+      this->InLoops += ProcessorSeconds() - start;
+      this->LoopEnds.push_back(ProcessorSeconds() - this->ProcessorStart);
+    };
+    return wrapped;
+  }
+
+private:
+  double Before;
+  Clock::time_point Start;
+  double ProcessorStart = 0.0;
+  double InLoops = 0.0;
+  double Sum = 0.0, ProcessorSum = 0.0, AllInLoops = 0.0; ///< of all steps
+  std::vector<double> LoopEnds;
+};
+
+orthoslices::Options OptionsOf(vtkOrthogonalSliceReconstruction* filter, bool doublePrecision)
+{
   orthoslices::Options options;
   options.SinglePrecision = !doublePrecision;
   options.Patching.Method = filter->GetPatchType() == vtkOrthogonalSliceReconstruction::FAN
@@ -156,21 +246,57 @@ void PrintStages(vtkOrthogonalSliceReconstruction* filter, bool doublePrecision)
     ? orthoslices::PatchMethod::Coons
     : orthoslices::PatchMethod::Smooth;
   options.Patching.EdgeLength = filter->GetEdgeLength();
-  std::map<orthoslices::Stage, double> seconds;
-  auto last = std::chrono::steady_clock::now();
-  const auto observe = [&](orthoslices::Stage stage, const orthoslices::StageTables&,
-                         const orthoslices::Reconstruction&)
+  options.Patching.Accuracy = filter->GetAccuracy();
+  options.Patching.OwnAccuracy = filter->GetAutomaticAccuracy();
+  return options;
+}
+
+/// Prints how long each step takes and its peak memory, in the order of the steps.
+void PrintStages(vtkOrthogonalSliceReconstruction* filter, bool doublePrecision, double before)
+{
+  std::printf("  %-24s %9s %9s %8s %5s\n", "step", "seconds", "processor", "peak MB", "loops");
+  StepTimer timer(before);
+  const orthoslices::Execution execution = timer.Wrap(orthoslices::ExecuteWithVtk(filter));
+  orthoslices::Polylines lines;
+  for (int port = 0; port < 3; ++port)
   {
-    const auto now = std::chrono::steady_clock::now();
-    seconds[stage] += std::chrono::duration<double>(now - last).count();
-    last = now;
-  };
-  orthoslices::ReconstructSorted(orthoslices::SortByPlanes(lines, orthoslices::FrameOptions()),
-    options, orthoslices::ExecuteWithVtk(filter), observe);
-  for (const auto& [stage, duration] : seconds)
-  {
-    std::printf("  %-24s %10.4f\n", orthoslices::NameOf(stage), duration);
+    orthoslices::ReadPieces(filter->GetInputDataObject(port, 0), port, doublePrecision, lines);
   }
+  timer.End("ReadPieces");
+  orthoslices::SortedSlices sorted = orthoslices::SortByPlanes(lines, orthoslices::FrameOptions());
+  lines = orthoslices::Polylines();
+  timer.End("SortByPlanes");
+  orthoslices::Reconstruction result =
+    orthoslices::ReconstructSorted(std::move(sorted), OptionsOf(filter, doublePrecision), execution,
+      [&](orthoslices::Stage stage, const orthoslices::StageTables&,
+        const orthoslices::Reconstruction&) { timer.End(orthoslices::NameOf(stage)); });
+  timer.Begin();
+  vtkNew<vtkPolyData> graph, surface;
+  vtkNew<vtkTable> components;
+  orthoslices::WriteGraph(result, execution, doublePrecision, graph);
+  timer.End("WriteGraph");
+  orthoslices::WriteSurface(
+    std::move(result), execution, doublePrecision, { true, false }, 0.0, surface);
+  timer.End("WriteSurface");
+  orthoslices::WriteComponentTable(surface, false, components);
+  timer.End("WriteComponentTable");
+  timer.PrintSums();
+}
+
+/// The seconds that it takes to copy so many megabytes in memory.
+double SecondsOfCopy(double megabytes)
+{
+  const std::size_t size = static_cast<std::size_t>(1024.0 * 1024.0 * megabytes);
+  const std::vector<char> from(size, 1);
+  std::vector<char> to(size, 2);
+  double least = HUGE_VAL;
+  for (int i = 0; i < 5; ++i)
+  {
+    const auto start = Clock::now();
+    std::memcpy(to.data(), from.data(), size);
+    least = std::min(least, SecondsSince(start));
+  }
+  return to[size / 2] == 1 ? least : HUGE_VAL;
 }
 
 void RunSize(const Arguments& arguments, double total, const std::string& patches)
@@ -204,13 +330,24 @@ void RunSize(const Arguments& arguments, double total, const std::string& patche
   }
   const double peak = PeakMegabytes() - before;
   vtkPolyData* surface = filter->GetOutput();
-  std::printf("%-8s %10.0f %7d %12lld %10.4f %12.3f %10.1f %10.1f %8.2f %8lld\n", patches.c_str(),
-    points, CountPlanes(arguments, total), static_cast<long long>(surface->GetNumberOfCells()),
-    seconds, points / seconds * 1e-6, input, peak, peak / input,
+  double output = 0.0;
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    output += filter->GetOutputDataObject(port)->GetActualMemorySize() / 1024.0;
+  }
+  const double copies = seconds / SecondsOfCopy(input + output);
+  std::printf("%-8s %10.0f %7d %12lld %10.4f %12.3f %10.1f %10.1f %8.1f %10.1f %8.2f %8lld\n",
+    patches.c_str(), points, CountPlanes(arguments, total),
+    static_cast<long long>(surface->GetNumberOfCells()), seconds,
+    surface->GetNumberOfCells() / seconds * 1e-6, input, output, copies, peak, peak / input,
     static_cast<long long>(surface->GetFieldData()->GetArray("NumberOfComponents")->GetTuple1(0)));
   if (arguments.Stages)
   {
-    PrintStages(filter, !arguments.Float);
+    for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+    {
+      filter->GetOutputDataObject(port)->Initialize();
+    }
+    PrintStages(filter, !arguments.Float, before);
   }
   std::fflush(stdout);
 }
@@ -276,8 +413,9 @@ int main(int argc, char* argv[])
 {
   const Arguments arguments = Parse(argc, argv);
   std::printf("%d threads, %s points\n", arguments.Threads, arguments.Float ? "float" : "double");
-  std::printf("%-8s %10s %7s %12s %10s %12s %10s %10s %8s %8s\n", "patches", "points", "planes",
-    "triangles", "seconds", "Mpoints/s", "input MB", "peak MB", "peak/in", "pieces");
+  std::printf("%-8s %10s %7s %12s %10s %12s %10s %10s %8s %10s %8s %8s\n", "patches", "points",
+    "planes", "triangles", "seconds", "Mtri/s", "input MB", "output MB", "memcpy", "peak MB",
+    "peak/in", "pieces");
   std::fflush(stdout);
   int status = 0;
   for (const double total : arguments.Points)

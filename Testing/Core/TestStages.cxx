@@ -51,25 +51,6 @@ TEST(Stages, ComeInTheOrderOfTheirList)
 }
 
 //----------------------------------------------------------------------------
-TEST(Stages, StopWhenTheCallerSaysSo)
-{
-  for (const double until : { 0.1, 0.3, 0.45, 0.6, 0.68, 0.75 })
-  {
-    Execution execution;
-    double progress = 0.0;
-    execution.Continue = [&](double now)
-    {
-      progress = now;
-      return now < until;
-    };
-    const Reconstruction result = Reconstruct(ParsePieces(Cube()), Options(), execution);
-    EXPECT_TRUE(result.Stopped);
-    EXPECT_GE(progress, until);
-    EXPECT_LT(progress, until + 0.16);
-  }
-}
-
-//----------------------------------------------------------------------------
 TEST(Invariants, HoldForConsistentInput)
 {
   for (std::uint64_t seed = 0; seed < 40; ++seed)

@@ -119,8 +119,9 @@ inline Contours UsableContours(const PieceSets& pieces, const Options& options, 
   {
     untilThen.Invalid = InvalidContours::LeaveOut;
   }
+  bool isOriented = false;
   Execution execution;
-  execution.Continue = [](double progress) { return progress < 0.3; };
+  execution.Continue = [&](double) { return !isOriented; };
   Reconstruct(PieceSets(pieces), untilThen, execution,
     [&](Stage stage, const StageTables& tables, const Reconstruction& result)
     {
@@ -128,6 +129,7 @@ inline Contours UsableContours(const PieceSets& pieces, const Options& options, 
       {
         contours = tables.Contours;
         grid = result.Grid;
+        isOriented = true;
       }
     });
   return contours;

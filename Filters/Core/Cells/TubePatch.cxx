@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Cells/TubePatch.h"
 
+#include "Core/Base/Box.h"
 #include "Core/Base/Vectors.h"
 
 #include <algorithm>
@@ -53,19 +54,52 @@ std::vector<PointPair> PairByLength(
   return pairs;
 }
 
+/// Points of a curve that are passed over together if none of them can be near.
+constexpr Index BlockSize = 64;
+
+/// The square of how far a point is from a box, at most what SquaredDistance has for a point in it.
+double SquaredDistanceToBox(const Point3& p, const Box3& box)
+{
+  Point3 gap;
+  for (int k = 0; k < 3; ++k)
+  {
+    gap[k] = std::max({ 0.0, box.Low[k] - p[k], p[k] - box.High[k] });
+  }
+  return Dot(gap, gap);
+}
+
+/// The points of two curves that are nearest to each other; of several pairs, the first one.
+PointPair FindNearest(const PatchCurve& a, const PatchCurve& b)
+{
+  std::vector<Box3> boxes((b.Count() + BlockSize - 1) / BlockSize);
+  for (Index j = 0; j < b.Count(); ++j)
+  {
+    boxes[j / BlockSize].Add(b.Points[j]);
+  }
+  PointPair nearest;
+  for (Index i = 0; i < a.Count(); ++i)
+  {
+    for (std::size_t block = 0; block < boxes.size(); ++block)
+    {
+      if (SquaredDistanceToBox(a.Points[i], boxes[block]) >= nearest.Distance2)
+      {
+        continue;
+      }
+      const Index first = static_cast<Index>(block) * BlockSize;
+      for (Index j = first; j < std::min(b.Count(), first + BlockSize); ++j)
+      {
+        const double distance2 = SquaredDistance(a.Points[i], b.Points[j]);
+        nearest = distance2 < nearest.Distance2 ? PointPair{ i, j, distance2 } : nearest;
+      }
+    }
+  }
+  return nearest;
+}
 }
 
 std::vector<PointPair> PairPoints(const PatchCurve& a, const PatchCurve& b)
 {
-  PointPair start;
-  for (Index i = 0; i < a.Count(); ++i)
-  {
-    for (Index j = 0; j < b.Count(); ++j)
-    {
-      const double distance2 = SquaredDistance(a.Points[i], b.Points[j]);
-      start = distance2 < start.Distance2 ? PointPair{ i, j, distance2 } : start;
-    }
-  }
+  const PointPair start = FindNearest(a, b);
   const std::size_t n = a.Count();
   const std::size_t m = b.Count();
   if ((n + 1) * (m + 1) > MaxPairs)

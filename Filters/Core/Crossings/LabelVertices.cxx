@@ -37,10 +37,10 @@ public:
   {
   }
 
-  Index Run(std::vector<Repair>& repairs);
+  Index Run(const Execution& execution, std::vector<Repair>& repairs);
 
 private:
-  std::vector<Doubt> FindDoubts() const;
+  std::vector<Doubt> FindDoubts(const Execution& execution) const;
   void AddDoubts(
     const GridEdge& edge, Index end, const int winding[2], std::vector<Doubt>& doubts) const;
   std::vector<Correction> Decide(std::vector<Doubt>& doubts);
@@ -87,26 +87,28 @@ void VertexLabeller::AddDoubts(
 
 /// Finds doubtful vertices by summing the signs of crossings along every grid line. A vertex with
 /// any doubt is found on two of its three lines.
-std::vector<Doubt> VertexLabeller::FindDoubts() const
+std::vector<Doubt> VertexLabeller::FindDoubts(const Execution& execution) const
 {
   std::vector<Doubt> doubts;
   GridEdge previous{ -1, 0, 0, 0 };
   int winding[2] = { this->Background, this->Background };
-  for (Index e = 0; e < this->Tables.Edges.Count(); ++e)
-  {
-    const GridEdge edge = this->Tables.EdgeOf(e);
-    if (!OnSameLine(edge, previous))
+  ForInOrder(execution, static_cast<std::size_t>(this->Tables.Edges.Count()),
+    [&](std::size_t number)
     {
-      winding[0] = winding[1] = this->Background;
-    }
-    else if (IsDoubtful(winding))
-    {
-      this->AddDoubts(previous, edge.Slab, winding, doubts);
-    }
-    winding[0] += this->Tables.SignSum(e, 0);
-    winding[1] += this->Tables.SignSum(e, 1);
-    previous = edge;
-  }
+      const Index e = static_cast<Index>(number);
+      const GridEdge edge = this->Tables.EdgeOf(e);
+      if (!OnSameLine(edge, previous))
+      {
+        winding[0] = winding[1] = this->Background;
+      }
+      else if (IsDoubtful(winding))
+      {
+        this->AddDoubts(previous, edge.Slab, winding, doubts);
+      }
+      winding[0] += this->Tables.SignSum(e, 0);
+      winding[1] += this->Tables.SignSum(e, 1);
+      previous = edge;
+    });
   return doubts;
 }
 
@@ -279,9 +281,9 @@ void VertexLabeller::InsertLoop(const Correction& correction)
   }
 }
 
-Index VertexLabeller::Run(std::vector<Repair>& repairs)
+Index VertexLabeller::Run(const Execution& execution, std::vector<Repair>& repairs)
 {
-  std::vector<Doubt> doubts = this->FindDoubts();
+  std::vector<Doubt> doubts = this->FindDoubts(execution);
   const std::vector<Correction> corrections = this->Decide(doubts);
   for (const Correction& correction : corrections)
   {
@@ -306,8 +308,8 @@ Index VertexLabeller::Run(std::vector<Repair>& repairs)
 }
 
 Index LabelVertices(const CrossingTables& tables, const AxisWeights& weights, int background,
-  std::vector<Repair>& repairs)
+  std::vector<Repair>& repairs, const Execution& execution)
 {
-  return VertexLabeller(tables, weights, background).Run(repairs);
+  return VertexLabeller(tables, weights, background).Run(execution, repairs);
 }
 }

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesLabelVertices_h
 #define OrthoSlicesLabelVertices_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Crossings/CrossingTables.h"
 #include "Core/Crossings/Repair.h"
 
@@ -25,7 +26,7 @@ namespace orthoslices
  * `background` is the winding number far away.
  */
 Index LabelVertices(const CrossingTables& tables, const AxisWeights& weights, int background,
-  std::vector<Repair>& repairs);
+  std::vector<Repair>& repairs, const Execution& execution = Execution());
 }
 
 #endif

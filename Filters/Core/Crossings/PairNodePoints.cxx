@@ -76,7 +76,7 @@ void MoveApart(const SpatialGrid& grid, const NodesOfEdge& range, NodePoints& no
 }
 
 NodePoints PairNodePoints(const SpatialGrid& grid, const GridCrossings& crossings,
-  const EdgeRegister& edges, const AxisWeights& weights)
+  const EdgeRegister& edges, const AxisWeights& weights, const Execution& execution)
 {
   const GridEdgeCode code(grid);
   NodePoints nodes;
@@ -87,30 +87,32 @@ NodePoints PairNodePoints(const SpatialGrid& grid, const GridCrossings& crossing
   }
   nodes.Position.reserve(crossings.Count() / 2);
   nodes.Difference.reserve(crossings.Count() / 2);
-  for (Index edge = 0; edge < edges.Count(); ++edge)
-  {
-    const Index first = nodes.Count();
-    for (Index i = edges.Offsets[edge]; i < edges.Offsets[edge + 1]; ++i)
+  ForInOrder(execution, static_cast<std::size_t>(edges.Count()),
+    [&](std::size_t number)
     {
-      const Index crossing = edges.Crossing[i];
-      if (!crossings.IsRemoved(crossing))
+      const Index edge = static_cast<Index>(number);
+      const Index first = nodes.Count();
+      for (Index i = edges.Offsets[edge]; i < edges.Offsets[edge + 1]; ++i)
       {
-        std::vector<Index>& side = crossings.Family[crossing] == 0 ? nodes.First : nodes.Second;
-        nodes.NodeOf[crossing] = static_cast<Index>(side.size());
-        side.push_back(crossing);
+        const Index crossing = edges.Crossing[i];
+        if (!crossings.IsRemoved(crossing))
+        {
+          std::vector<Index>& side = crossings.Family[crossing] == 0 ? nodes.First : nodes.Second;
+          nodes.NodeOf[crossing] = static_cast<Index>(side.size());
+          side.push_back(crossing);
+        }
       }
-    }
-    if (first < nodes.Count())
-    {
-      const NodesOfEdge range{ code.Decode(crossings.Edge[nodes.First[first]]), first,
-        nodes.Count() };
-      PlaceAtMeans(grid, crossings, weights, range, nodes);
-      if (range.Last - range.First > 1)
+      if (first < nodes.Count())
       {
-        MoveApart(grid, range, nodes);
+        const NodesOfEdge range{ code.Decode(crossings.Edge[nodes.First[first]]), first,
+          nodes.Count() };
+        PlaceAtMeans(grid, crossings, weights, range, nodes);
+        if (range.Last - range.First > 1)
+        {
+          MoveApart(grid, range, nodes);
+        }
       }
-    }
-  }
+    });
   return nodes;
 }
 

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesPairNodePoints_h
 #define OrthoSlicesPairNodePoints_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Crossings/RegisterCrossings.h"
 #include "Core/Crossings/Repair.h"
 
@@ -47,7 +48,8 @@ struct NodePoints
  * crossings of both families on an edge, with the same signs).
  */
 NodePoints PairNodePoints(const SpatialGrid& grid, const GridCrossings& crossings,
-  const EdgeRegister& edges, const AxisWeights& weights = { 1.0, 1.0, 1.0 });
+  const EdgeRegister& edges, const AxisWeights& weights = { 1.0, 1.0, 1.0 },
+  const Execution& execution = Execution());
 
 /// World coordinates of a node point.
 Point3 NodePosition(const SpatialGrid& grid, const GridEdgeCode& code,

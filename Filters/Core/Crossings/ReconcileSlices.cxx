@@ -7,12 +7,12 @@
 
 namespace orthoslices
 {
-Reconciliation ReconcileSlices(
-  const CrossingTables& tables, const AxisWeights& weights, int background)
+Reconciliation ReconcileSlices(const CrossingTables& tables, const AxisWeights& weights,
+  int background, const Execution& execution)
 {
   Reconciliation result;
-  result.Vertices = LabelVertices(tables, weights, background, result.Repairs);
-  result.Edges = SnipEdges(tables, background, result.Repairs);
+  result.Vertices = LabelVertices(tables, weights, background, result.Repairs, execution);
+  result.Edges = SnipEdges(tables, background, result.Repairs, execution);
   return result;
 }
 }

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesReconcileSlices_h
 #define OrthoSlicesReconcileSlices_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Crossings/CrossingTables.h"
 #include "Core/Crossings/Repair.h"
 
@@ -33,8 +34,9 @@ struct Reconciliation
  *
  * `background` is the winding number far away: 0, or 1 where the contours bound the outside.
  */
-Reconciliation ReconcileSlices(
-  const CrossingTables& tables, const AxisWeights& weights = { 1.0, 1.0, 1.0 }, int background = 0);
+Reconciliation ReconcileSlices(const CrossingTables& tables,
+  const AxisWeights& weights = { 1.0, 1.0, 1.0 }, int background = 0,
+  const Execution& execution = Execution());
 }
 
 #endif

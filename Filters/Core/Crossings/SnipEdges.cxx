@@ -33,7 +33,7 @@ public:
   {
   }
 
-  Index Run();
+  Index Run(const Execution& execution);
 
 private:
   using Lists = std::array<std::vector<Index>, 2>; ///< crossings of both families on an edge
@@ -334,26 +334,29 @@ void EdgeSnipper::MendEdge(Index edge, const Lists& lists, const Pairs& pairs)
 }
 
 /// Follows the label, which is now the same for both families, along every grid line.
-Index EdgeSnipper::Run()
+Index EdgeSnipper::Run(const Execution& execution)
 {
   GridEdge previous{ -1, 0, 0, 0 };
   int label = 0;
-  for (Index e = 0; e < this->Tables.Edges.Count(); ++e)
-  {
-    const GridEdge edge = this->Tables.EdgeOf(e);
-    const int change = this->Tables.SignSum(e, 0);
-    label = OnSameLine(edge, previous) ? label : this->Background;
-    this->MatchEdge(e, label);
-    label += change;
-    previous = edge;
-  }
+  ForInOrder(execution, static_cast<std::size_t>(this->Tables.Edges.Count()),
+    [&](std::size_t number)
+    {
+      const Index e = static_cast<Index>(number);
+      const GridEdge edge = this->Tables.EdgeOf(e);
+      const int change = this->Tables.SignSum(e, 0);
+      label = OnSameLine(edge, previous) ? label : this->Background;
+      this->MatchEdge(e, label);
+      label += change;
+      previous = edge;
+    });
   this->FileCompleted();
   return this->SnippedEdges;
 }
 }
 
-Index SnipEdges(const CrossingTables& tables, int background, std::vector<Repair>& repairs)
+Index SnipEdges(const CrossingTables& tables, int background, std::vector<Repair>& repairs,
+  const Execution& execution)
 {
-  return EdgeSnipper(tables, background, repairs).Run();
+  return EdgeSnipper(tables, background, repairs).Run(execution);
 }
 }

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesSnipEdges_h
 #define OrthoSlicesSnipEdges_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Crossings/CrossingTables.h"
 #include "Core/Crossings/Repair.h"
 
@@ -29,7 +30,8 @@ namespace orthoslices
  * each pair of them. Afterwards every edge has the same number of crossings from both families,
  * with alternating signs, in the same order. `background` is the winding number far away.
  */
-Index SnipEdges(const CrossingTables& tables, int background, std::vector<Repair>& repairs);
+Index SnipEdges(const CrossingTables& tables, int background, std::vector<Repair>& repairs,
+  const Execution& execution = Execution());
 }
 
 #endif

@@ -42,7 +42,7 @@ std::array<Index, 3> CellOf(
 }
 
 CellCycles TraceCycles(const SpatialGrid& grid, const GridCrossings& crossings,
-  const NodePoints& nodes, const NodeGraph& graph)
+  const NodePoints& nodes, const NodeGraph& graph, const Execution& execution)
 {
   const GridEdgeCode code(grid);
   CellCycles cycles;
@@ -50,24 +50,26 @@ CellCycles TraceCycles(const SpatialGrid& grid, const GridCrossings& crossings,
   std::vector<std::uint8_t> visited(2 * static_cast<std::size_t>(crossings.Count()), 0);
   const auto mark = [&](const HalfArc& half) -> std::uint8_t&
   { return visited[2 * static_cast<std::size_t>(half.Arc) + (half.Above ? 1 : 0)]; };
-  for (Index arc = 0; arc < crossings.Count(); ++arc)
-  {
-    for (const bool above : { false, true })
+  ForInOrder(execution, static_cast<std::size_t>(crossings.Count()),
+    [&](std::size_t number)
     {
-      HalfArc half{ arc, above };
-      if (crossings.IsRemoved(arc) || mark(half))
+      const Index arc = static_cast<Index>(number);
+      for (const bool above : { false, true })
       {
-        continue;
+        HalfArc half{ arc, above };
+        if (crossings.IsRemoved(arc) || mark(half))
+        {
+          continue;
+        }
+        cycles.Cell.push_back(CellOf(code, crossings, half));
+        for (; !mark(half); half = NextHalfArc(crossings, nodes, half))
+        {
+          mark(half) = 1;
+          cycles.Arcs.push_back(half);
+        }
+        cycles.Offsets.push_back(static_cast<Index>(cycles.Arcs.size()));
       }
-      cycles.Cell.push_back(CellOf(code, crossings, half));
-      for (; !mark(half); half = NextHalfArc(crossings, nodes, half))
-      {
-        mark(half) = 1;
-        cycles.Arcs.push_back(half);
-      }
-      cycles.Offsets.push_back(static_cast<Index>(cycles.Arcs.size()));
-    }
-  }
+    });
   for (std::size_t loop = 0; loop < graph.Loops.size(); ++loop)
   {
     const Face& face = graph.Loops[loop];

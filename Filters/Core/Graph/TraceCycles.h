@@ -43,7 +43,7 @@ struct CellCycles
  * construction.
  */
 CellCycles TraceCycles(const SpatialGrid& grid, const GridCrossings& crossings,
-  const NodePoints& nodes, const NodeGraph& graph);
+  const NodePoints& nodes, const NodeGraph& graph, const Execution& execution = Execution());
 
 /// Node at which a half-arc starts, in the direction of its cycle. REQUIRES: no loop.
 inline Index StartNode(const GridCrossings& crossings, const NodePoints& nodes, const HalfArc& half)

@@ -137,7 +137,7 @@ void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals
   for (int round = 0; round < MaxRounds; ++round)
   {
     ImprovableMesh mesh{ corners, all.Points, normalAt, isFixed };
-    MeshImprover(geometry.Grid, limits, mesh).Run();
+    MeshImprover(geometry.Grid, limits, mesh).Run(execution);
     ListLeft(mesh.Corners, triangles, numbers);
     std::vector<std::uint8_t> isChanged;
     for (const Index number : numbers)

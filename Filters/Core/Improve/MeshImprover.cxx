@@ -17,6 +17,9 @@ constexpr double Degree = 3.14159265358979323846 / 180.0;
 /// Operations for each triangle that there is, at most: a guard, as each makes something better.
 constexpr std::size_t MaxWork = 10;
 
+/// Triangles that are looked at between two questions whether to go on.
+constexpr std::size_t TrianglesBetweenCalls = 256;
+
 /// The bounds, as shares of the one asked for: the worst come first.
 constexpr std::array<double, 4> Bounds{ 0.1, 0.4, 0.75, 1.0 };
 
@@ -303,7 +306,7 @@ bool MeshImprover::MayHelp(Index triangle, bool withMoves) const
 }
 
 /// Improves the triangles that are worse than a bound, and those that become so.
-void MeshImprover::RunBelow(double quality, bool withMoves)
+void MeshImprover::RunBelow(double quality, bool withMoves, const Execution& execution)
 {
   const CornerTable& corners = this->Mesh.Corners;
   this->Open.resize(static_cast<std::size_t>(corners.CornerCount()) / 3);
@@ -312,6 +315,10 @@ void MeshImprover::RunBelow(double quality, bool withMoves)
   for (std::size_t i = 0; i < this->Open.size() && work > 0; ++i)
   {
     const Index triangle = this->Open[i];
+    if (i % TrianglesBetweenCalls == 0)
+    {
+      execution.Advance(i, this->Open.size());
+    }
     if (!corners.IsAlive(3 * triangle) || !(this->QualityOf(triangle) < quality) ||
       !this->MayHelp(triangle, withMoves))
     {
@@ -326,7 +333,7 @@ void MeshImprover::RunBelow(double quality, bool withMoves)
   }
 }
 
-void MeshImprover::Run()
+void MeshImprover::Run(const Execution& execution)
 {
   const auto qualityOf = [](double degrees)
   {
@@ -336,12 +343,12 @@ void MeshImprover::Run()
   for (const double share : Bounds)
   {
     const double quality = qualityOf(share * this->Limits.SmallAngle);
-    this->RunBelow(quality, false);
-    this->RunBelow(quality, true);
+    this->RunBelow(quality, false, execution);
+    this->RunBelow(quality, true, execution);
   }
   this->Tolerance *= MoreForWorst;
   this->LeastCosine = MostTurnOfWorst;
   std::fill(this->FailedAt.begin(), this->FailedAt.end(), std::array<Index, 2>{ 0, 0 });
-  this->RunBelow(qualityOf(WorstBound * this->Limits.SmallAngle), true);
+  this->RunBelow(qualityOf(WorstBound * this->Limits.SmallAngle), true, execution);
 }
 }

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesMeshImprover_h
 #define OrthoSlicesMeshImprover_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Improve/PointStar.h"
 #include "Core/Slices/SpatialGrid.h"
 
@@ -40,7 +41,8 @@ class MeshImprover
 {
 public:
   MeshImprover(const SpatialGrid& grid, const ImprovementLimits& limits, ImprovableMesh& mesh);
-  void Run();
+  /// The execution hears of the triangles that were looked at.
+  void Run(const Execution& execution = Execution());
 
 private:
   enum class Kind : std::uint8_t
@@ -59,7 +61,7 @@ private:
     double Shift = 0.0; ///< of the surface
     double Quality = 0.0;
   };
-  void RunBelow(double quality, bool withMoves);
+  void RunBelow(double quality, bool withMoves, const Execution& execution);
   bool Improve(Index triangle, bool withMoves);
   bool MayHelp(Index triangle, bool withMoves) const;
   void Touch(Index point);

@@ -4,7 +4,7 @@
 
 #include "Core/Patches/PatchView.h"
 #include "Core/Patches/Quadrilaterals.h"
-#include "Core/Planar/DiscTriangulation.h"
+#include "Core/Planar/SimplePolygon.h"
 
 #include <algorithm>
 

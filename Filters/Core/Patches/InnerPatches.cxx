@@ -203,29 +203,58 @@ InnerPatches FillBlock(FillPolygon fill, Workshop& shop, const std::vector<Index
   return result;
 }
 
-/// All patches of the blocks, in their order. Empties the blocks.
-InnerPatches PutTogether(std::vector<InnerPatches>& blocks)
+/// Where the patches of a block begin among all.
+struct BlockStart
 {
-  InnerPatches result;
-  std::size_t points = 0, corners = 0, patches = 0;
+  std::size_t Patch = 0;
+  std::int64_t Point = 0, Triangle = 0;
+
+  BlockStart After(const InnerPatches& block) const
+  {
+    return { this->Patch + block.Cycle.size(), this->Point + block.PointOffsets.back(),
+      this->Triangle + block.TriangleOffsets.back() };
+  }
+};
+
+/// Copies the patches of a block to their place among all, and releases it.
+void MoveBlock(const BlockStart& start, InnerPatches& block, InnerPatches& all)
+{
+  std::copy(block.Cycle.begin(), block.Cycle.end(), all.Cycle.begin() + start.Patch);
+  for (std::size_t i = 0; i < block.Cycle.size(); ++i)
+  {
+    all.PointOffsets[start.Patch + i + 1] = start.Point + block.PointOffsets[i + 1];
+    all.TriangleOffsets[start.Patch + i + 1] = start.Triangle + block.TriangleOffsets[i + 1];
+  }
+  std::copy(block.Points.begin(), block.Points.end(), all.Points.begin() + 3 * start.Point);
+  std::copy(block.Normals.begin(), block.Normals.end(), all.Normals.begin() + 3 * start.Point);
+  std::copy(block.Corners.begin(), block.Corners.end(), all.Corners.begin() + 3 * start.Triangle);
+  block = {};
+}
+
+/// All patches of the blocks, in their order. Empties the blocks.
+InnerPatches PutTogether(std::vector<InnerPatches>& blocks, const Execution& execution)
+{
+  std::vector<BlockStart> starts(1);
   for (const InnerPatches& block : blocks)
   {
-    points += block.Points.size();
-    corners += block.Corners.size();
-    patches += block.Cycle.size();
+    starts.push_back(starts.back().After(block));
   }
-  result.Points.reserve(points);
-  result.Normals.reserve(points);
-  result.Corners.reserve(corners);
-  result.Cycle.reserve(patches);
-  for (InnerPatches& block : blocks)
-  {
-    for (Index i = 0; i < block.Count(); ++i)
+  const BlockStart& end = starts.back();
+  InnerPatches result;
+  result.Cycle.resize(end.Patch);
+  result.PointOffsets.resize(end.Patch + 1);
+  result.TriangleOffsets.resize(end.Patch + 1);
+  result.Points.resize(3 * end.Point);
+  result.Normals.resize(3 * end.Point);
+  result.Corners.resize(3 * end.Triangle);
+  execution.For(blocks.size(),
+    [&](std::size_t first, std::size_t last)
     {
-      result.Add(block, i);
-    }
-    block = {};
-  }
+      for (std::size_t i = first; i < last; ++i)
+      {
+        MoveBlock(starts[i], blocks[i], result);
+      }
+    });
   return result;
 }
 
@@ -335,7 +364,7 @@ InnerPatches BuildInnerPatches(
           FillBlock(fill, shop, meshOf, i * BlockSize, std::min(count, (i + 1) * BlockSize));
       }
     });
-  InnerPatches patches = PutTogether(blocks);
+  InnerPatches patches = PutTogether(blocks, execution);
   const CycleGeometry outlines = Workshop::OutlinesOf(tables);
   RemoveTouching({ outlines, tables.Cells, tables.Normals, tables.CentralPoints, tables.Meshes },
     meshOf, execution, patches);

@@ -36,6 +36,10 @@ constexpr double Fading = 5.0;
 /// border says little, so that the flattest surface is taken. Data count about 1, so these give way
 /// to them. Half and twice as much change distances by 0.1 % (Testing/Benchmarks/PatchErrors).
 constexpr double Flattening[Degree + 1] = { 1e-12, 1e-12, 1e-7, 1e-5, 1e-4 };
+
+/// Borders with more points get a tree: points inside are as many or more, and the time would grow
+/// with the square. Fewer are summed up as fast one by one.
+constexpr std::size_t ManyPoints = 512;
 }
 
 bool SmoothSurface::Fit(const std::vector<Point3>& zeros, const std::vector<Point3>& gradients,
@@ -104,6 +108,11 @@ void SmoothSurface::SetResidual(const std::vector<Point3>& zeros,
     const double value = this->Polynomial(zeros[i], gradient);
     this->Residuals[i] = { weights[i], zeros[i], -value, gradients[i] - gradient };
   }
+  this->Tree.Clear();
+  if (zeros.size() > ManyPoints)
+  {
+    this->Tree.Set(this->Residuals);
+  }
 }
 
 double SmoothSurface::Deviation() const
@@ -143,7 +152,7 @@ double SmoothSurface::operator()(const Point3& p, Point3& gradient) const
   double gx = 0.0, gy = 0.0, gz = 0.0;
   double wx = 0.0, wy = 0.0, wz = 0.0;
   double vx = 0.0, vy = 0.0, vz = 0.0;
-  for (const Residual& r : this->Residuals)
+  const auto add = [&](const Residual& r)
   {
     const double dx = p[0] - r.Place[0], dy = p[1] - r.Place[1], dz = p[2] - r.Place[2];
     const double inverse = 1.0 / (dx * dx + dy * dy + dz * dz + Softening);
@@ -161,6 +170,14 @@ double SmoothSurface::operator()(const Point3& p, Point3& gradient) const
     vx += changeOfValue * dx;
     vy += changeOfValue * dy;
     vz += changeOfValue * dz;
+  };
+  if (this->Tree.IsEmpty())
+  {
+    std::for_each(this->Residuals.begin(), this->Residuals.end(), add);
+  }
+  else
+  {
+    this->Tree.VisitFrom(p, this->Residuals, add);
   }
   const double inverse = 1.0 / weights;
   const double mean = inverse * values;

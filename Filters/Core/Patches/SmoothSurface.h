@@ -4,6 +4,7 @@
 #define OrthoSlicesSmoothSurface_h
 
 #include "Core/Base/Types.h"
+#include "Core/Patches/ResidualTree.h"
 
 #include <vector>
 
@@ -19,6 +20,8 @@ namespace orthoslices
  * 1968) and added, fading out. The gradient at the border is the given one, whatever the polynomial
  * is: patches that have an arc and its normals in common meet with a common tangent plane. The
  * polynomial has the accuracy: its error grows with the fifth power of the size of the patch.
+ *
+ * Of borders with many points, those that are far away stand together for one: see ResidualTree.
  */
 class SmoothSurface
 {
@@ -41,15 +44,8 @@ private:
 
   double Coefficients[Terms + 1] = {}; ///< of p, and a
 
-  /// What the polynomial leaves at a point of the border.
-  struct Residual
-  {
-    double Weight;
-    Point3 Place;
-    double Value;
-    Point3 Gradient;
-  };
-  std::vector<Residual> Residuals;
+  std::vector<Residual> Residuals; ///< at the points of the border
+  ResidualTree Tree;               ///< of them, if there are many
 };
 }
 

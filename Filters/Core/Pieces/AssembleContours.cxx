@@ -121,14 +121,15 @@ void AppendLoops(const std::vector<OpenCurve>& loops, double tolerance, Contours
 }
 }
 
-PieceProblems AssembleContours(
-  std::array<Pieces, 3>&& pieces, const AssembleSettings& settings, Contours& contours)
+PieceProblems AssembleContours(std::array<Pieces, 3>&& pieces, const AssembleSettings& settings,
+  Contours& contours, const Execution& execution)
 {
   PieceProblems problems;
   std::vector<OpenCurve> curves;
   for (Pieces& set : pieces)
   {
-    std::vector<OpenCurve> open = AssembleSet(std::move(set), settings, contours, problems);
+    std::vector<OpenCurve> open =
+      AssembleSet(std::move(set), settings, contours, problems, execution);
     std::move(open.begin(), open.end(), std::back_inserter(curves));
   }
   if (!curves.empty())

@@ -5,6 +5,7 @@
 
 #include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
+#include "Core/Base/Execution.h"
 #include "Core/Pieces/ImageBorder.h"
 
 #include <vector>
@@ -48,8 +49,8 @@ struct PieceProblems
  * out, and whatever cannot be mended. Mended contours come after those of all axes that needed
  * nothing, and input that needs nothing gives the same either way.
  */
-PieceProblems AssembleContours(
-  std::array<Pieces, 3>&& pieces, const AssembleSettings& settings, Contours& contours);
+PieceProblems AssembleContours(std::array<Pieces, 3>&& pieces, const AssembleSettings& settings,
+  Contours& contours, const Execution& execution = Execution());
 }
 
 #endif

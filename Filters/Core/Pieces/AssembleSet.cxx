@@ -34,7 +34,7 @@ public:
   }
 
   /// Appends the contours that need nothing. With Mend, returns the others that may be mended.
-  std::vector<OpenCurve> Run();
+  std::vector<OpenCurve> Run(const Execution& execution);
 
 private:
   Index First(Index piece) const { return this->Input.Offsets[piece]; }
@@ -282,7 +282,7 @@ bool SetAssembler::TreatOpen(const PieceChains& chains, Index chain, OpenCurve& 
   return false;
 }
 
-std::vector<OpenCurve> SetAssembler::Run()
+std::vector<OpenCurve> SetAssembler::Run(const Execution& execution)
 {
   this->RejectNotFinite();
   if (this->Settings.Mend)
@@ -294,25 +294,27 @@ std::vector<OpenCurve> SetAssembler::Run()
   this->Output.V.reserve(this->Output.V.size() + this->Input.V.size());
   const PieceChains chains = JoinPieces(this->Input, this->Usable, this->Settings.Tolerance);
   std::vector<OpenCurve> curves;
-  for (Index chain = 0; chain < chains.Count(); ++chain)
-  {
-    OpenCurve curve;
-    if (chains.Closed[chain])
+  ForInOrder(execution, static_cast<std::size_t>(chains.Count()),
+    [&](std::size_t number)
     {
-      this->AddContour(chains, chain);
-    }
-    else if (this->TreatOpen(chains, chain, curve))
-    {
-      curves.push_back(std::move(curve));
-    }
-  }
+      const Index chain = static_cast<Index>(number);
+      OpenCurve curve;
+      if (chains.Closed[chain])
+      {
+        this->AddContour(chains, chain);
+      }
+      else if (this->TreatOpen(chains, chain, curve))
+      {
+        curves.push_back(std::move(curve));
+      }
+    });
   return curves;
 }
 }
 
-std::vector<OpenCurve> AssembleSet(
-  Pieces&& pieces, const AssembleSettings& settings, Contours& contours, PieceProblems& problems)
+std::vector<OpenCurve> AssembleSet(Pieces&& pieces, const AssembleSettings& settings,
+  Contours& contours, PieceProblems& problems, const Execution& execution)
 {
-  return SetAssembler(std::move(pieces), settings, contours, problems).Run();
+  return SetAssembler(std::move(pieces), settings, contours, problems).Run(execution);
 }
 }

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesAssembleSet_h
 #define OrthoSlicesAssembleSet_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Pieces/AssembleContours.h"
 #include "Core/Pieces/OpenCurve.h"
 
@@ -13,8 +14,8 @@ namespace orthoslices
  * in the order of their first pieces. With Mend, returns the curves with loose ends, and those that
  * were trimmed to loops; see AssembleContours.
  */
-std::vector<OpenCurve> AssembleSet(
-  Pieces&& pieces, const AssembleSettings& settings, Contours& contours, PieceProblems& problems);
+std::vector<OpenCurve> AssembleSet(Pieces&& pieces, const AssembleSettings& settings,
+  Contours& contours, PieceProblems& problems, const Execution& execution);
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "Core/Planar/DiscTriangulation.h"
 
 #include "Core/Base/Vectors.h"
+#include "Core/Planar/SimplePolygon.h"
 #include "Core/Planar/TriangulatePolygon.h"
 
 #include <algorithm>
@@ -41,19 +42,6 @@ constexpr double CocircularTolerance = 1e-9;
 /// Most flips in a row, for each triangle and in any case. Flips come to an end; these bounds are
 /// for rounding that would let sides turn round and round.
 constexpr std::size_t MaxFlipsPerTriangle = 16, MinFlips = 64;
-
-/// Whether two segments on one line have a point in common.
-bool Overlap(const Point2& p, const Point2& q, const Point2& r, const Point2& s)
-{
-  for (int k = 0; k < 2; ++k)
-  {
-    if (std::max(p[k], q[k]) < std::min(r[k], s[k]) || std::max(r[k], s[k]) < std::min(p[k], q[k]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
 }
 
 bool DiscTriangulation::StartWithFan(const std::vector<Point2>& border, const Point2& center)
@@ -75,35 +63,6 @@ bool DiscTriangulation::StartWithFan(const std::vector<Point2>& border, const Po
     this->Triangles[i] = { { i, j, n }, { -1, j, i > 0 ? i - 1 : n - 1 } };
   }
   return turns == 1;
-}
-
-bool IsSimple(const std::vector<Point2>& polygon)
-{
-  const std::size_t n = polygon.size();
-  if (n == 3 && SideOf(polygon[0], polygon[1], polygon[2]) == 0)
-  {
-    return false;
-  }
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const Point2 &p = polygon[i], &q = polygon[i + 1 < n ? i + 1 : 0];
-    for (std::size_t j = i + 2; j < n && (i > 0 || j + 1 < n); ++j)
-    {
-      const Point2 &r = polygon[j], &s = polygon[j + 1 < n ? j + 1 : 0];
-      const int sideOfR = SideOf(p, q, r), sideOfS = SideOf(p, q, s);
-      if (sideOfR * sideOfS > 0)
-      {
-        continue;
-      }
-      const int sideOfP = SideOf(r, s, p), sideOfQ = SideOf(r, s, q);
-      const bool onOneLine = sideOfR == 0 && sideOfS == 0 && sideOfP == 0 && sideOfQ == 0;
-      if (sideOfP * sideOfQ <= 0 && (!onOneLine || Overlap(p, q, r, s)))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
 }
 
 bool DiscTriangulation::StartWithEars(const std::vector<Point2>& border)

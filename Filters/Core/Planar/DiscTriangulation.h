@@ -10,9 +10,6 @@
 
 namespace orthoslices
 {
-/// Whether no two sides of a polygon have a point in common but their common end. Exact.
-bool IsSimple(const std::vector<Point2>& polygon);
-
 /**
  * Triangulation of a disc in the plane, whose border is a given polygon and stays as it is. Points
  * are added inside: J. Ruppert, "A Delaunay Refinement Algorithm for Quality 2-Dimensional Mesh

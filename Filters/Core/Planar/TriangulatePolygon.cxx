@@ -3,6 +3,7 @@
 #include "Core/Planar/TriangulatePolygon.h"
 
 #include "Core/Base/Vectors.h"
+#include "Core/Planar/CutEars.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,49 +12,6 @@ namespace orthoslices
 {
 namespace
 {
-/// Whether the triangle at a vertex turns left and has no other vertex inside or on its border.
-bool IsEmptyEar(const std::vector<Point2>& points, const std::vector<Index>& left, std::size_t ear)
-{
-  const std::size_t n = left.size();
-  const Index a = left[(ear + n - 1) % n];
-  const Index b = left[ear];
-  const Index c = left[(ear + 1) % n];
-  if (SideOf(points[a], points[b], points[c]) <= 0)
-  {
-    return false;
-  }
-  return std::none_of(left.begin(), left.end(),
-    [&](Index i)
-    {
-      return i != a && i != b && i != c && SideOf(points[a], points[b], points[i]) >= 0 &&
-        SideOf(points[b], points[c], points[i]) >= 0 &&
-        SideOf(points[c], points[a], points[i]) >= 0;
-    });
-}
-
-/// Cuts off ears until nothing is left.
-void CutEars(const std::vector<Point2>& points, std::vector<Index> left,
-  std::vector<std::array<Index, 3>>& triangles)
-{
-  std::size_t from = 0;
-  while (left.size() > 3)
-  {
-    const std::size_t n = left.size();
-    // Start where the last ear was: long thin runs of triangles instead of one fan.
-    std::size_t ear = from % n;
-    std::size_t tried = 0;
-    while (tried < n && !IsEmptyEar(points, left, ear))
-    {
-      ear = (ear + 1) % n;
-      ++tried;
-    }
-    triangles.push_back({ left[(ear + n - 1) % n], left[ear], left[(ear + 1) % n] });
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
-    from = ear + 1;
-  }
-  triangles.push_back({ left[0], left[1], left[2] });
-}
-
 std::vector<Point2> PointsOf(const std::vector<Point2>& points, const std::vector<Index>& ring)
 {
   std::vector<Point2> polygon;

@@ -40,13 +40,14 @@ public:
   {
   }
 
-  void Run(MissingContours& missing);
+  void Run(const Execution& execution, MissingContours& missing);
 
 private:
-  void ReadParts();
+  void ReadParts(const Execution& execution);
   /// The contour of a plane that a part overlaps and that encloses most; -1 if there is none.
   Index LargestOn(Index plane, const SlicePart& part) const;
-  std::vector<Index> FindEnds(int direction) const;
+  bool IsEnd(const SlicePart& part, int direction) const;
+  std::vector<Index> FindEnds(int direction, const Execution& execution) const;
   Index NearestOf(Index end, const std::vector<Index>& others) const;
   void Bridge(const SlicePart& from, const SlicePart& to, MissingContours& missing);
   bool IsPossible(const Polygon& polygon, Index plane, const SlicePart& like) const;
@@ -61,16 +62,26 @@ private:
   std::vector<std::vector<Index>> OnPlane; ///< numbers of parts
 };
 
-void FamilyCompleter::ReadParts()
+void FamilyCompleter::ReadParts(const Execution& execution)
 {
+  std::vector<Index> contours;
   for (Index contour = 0; contour < this->Set.Count(); ++contour)
   {
     if (this->Set.Axis[contour] == this->Axis && !this->Set.IsVirtual(contour))
     {
-      this->OnPlane[this->Set.Plane[contour]].push_back(static_cast<Index>(this->Parts.size()));
-      this->Parts.push_back(MakeSlicePart(this->Set, contour));
+      this->OnPlane[this->Set.Plane[contour]].push_back(static_cast<Index>(contours.size()));
+      contours.push_back(contour);
     }
   }
+  this->Parts.resize(contours.size());
+  execution.For(contours.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        this->Parts[i] = MakeSlicePart(this->Set, contours[i]);
+      }
+    });
 }
 
 Index FamilyCompleter::LargestOn(Index plane, const SlicePart& part) const
@@ -87,22 +98,37 @@ Index FamilyCompleter::LargestOn(Index plane, const SlicePart& part) const
   return largest;
 }
 
-/// Parts that nothing continues on the next slice in this direction, and that do not shrink there.
-std::vector<Index> FamilyCompleter::FindEnds(int direction) const
+/// Whether nothing continues a part on the next slice in this direction, though it does not shrink
+/// there.
+bool FamilyCompleter::IsEnd(const SlicePart& part, int direction) const
 {
-  std::vector<Index> ends;
-  for (std::size_t i = 0; i < this->Parts.size(); ++i)
+  const Index next = part.Plane + direction, previous = part.Plane - direction;
+  if (std::min(next, previous) < 0 ||
+    std::max(next, previous) >= static_cast<Index>(this->OnPlane.size()) ||
+    this->LargestOn(next, part) >= 0)
   {
-    const SlicePart& part = this->Parts[i];
-    const Index next = part.Plane + direction, previous = part.Plane - direction;
-    if (std::min(next, previous) < 0 ||
-      std::max(next, previous) >= static_cast<Index>(this->OnPlane.size()) ||
-      this->LargestOn(next, part) >= 0)
+    return false;
+  }
+  const Index before = this->LargestOn(previous, part);
+  return before >= 0 &&
+    std::abs(part.Area) >= MinShareOfSteady * std::abs(this->Parts[before].Area);
+}
+
+std::vector<Index> FamilyCompleter::FindEnds(int direction, const Execution& execution) const
+{
+  std::vector<std::uint8_t> isEnd(this->Parts.size(), 0);
+  execution.For(isEnd.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      continue;
-    }
-    const Index before = this->LargestOn(previous, part);
-    if (before >= 0 && std::abs(part.Area) >= MinShareOfSteady * std::abs(this->Parts[before].Area))
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        isEnd[i] = this->IsEnd(this->Parts[i], direction) ? 1 : 0;
+      }
+    });
+  std::vector<Index> ends;
+  for (std::size_t i = 0; i < isEnd.size(); ++i)
+  {
+    if (isEnd[i] != 0)
     {
       ends.push_back(static_cast<Index>(i));
     }
@@ -259,10 +285,11 @@ void FamilyCompleter::Bridge(const SlicePart& from, const SlicePart& to, Missing
   }
 }
 
-void FamilyCompleter::Run(MissingContours& missing)
+void FamilyCompleter::Run(const Execution& execution, MissingContours& missing)
 {
-  this->ReadParts();
-  const std::vector<Index> below = this->FindEnds(1), above = this->FindEnds(-1);
+  this->ReadParts(execution);
+  const std::vector<Index> below = this->FindEnds(1, execution);
+  const std::vector<Index> above = this->FindEnds(-1, execution);
   std::vector<std::pair<Index, Index>> pairs;
   for (const Index end : below)
   {
@@ -293,12 +320,13 @@ void FamilyCompleter::Run(MissingContours& missing)
 }
 }
 
-MissingContours FindMissingContours(const Contours& contours, const SpatialGrid& grid)
+MissingContours FindMissingContours(
+  const Contours& contours, const SpatialGrid& grid, const Execution& execution)
 {
   MissingContours missing;
   for (int axis = 0; axis < 3; ++axis)
   {
-    FamilyCompleter(contours, grid, axis).Run(missing);
+    FamilyCompleter(contours, grid, axis).Run(execution, missing);
   }
   return missing;
 }

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesMissingContours_h
 #define OrthoSlicesMissingContours_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Crossings/Repair.h"
 #include "Core/Slices/SpatialGrid.h"
 
@@ -35,7 +36,8 @@ struct MissingContours
   Contours Found;
   std::vector<Repair> Repairs;
 };
-MissingContours FindMissingContours(const Contours& contours, const SpatialGrid& grid);
+MissingContours FindMissingContours(
+  const Contours& contours, const SpatialGrid& grid, const Execution& execution = Execution());
 }
 
 #endif

@@ -81,8 +81,8 @@ std::vector<Index> CountNodePoints(
   return sizes;
 }
 
-std::vector<float> ListSmoothNormals(
-  const SurfaceNormals& normals, const Patches& patches, Index graphPoints, std::int64_t points)
+std::vector<float> ListSmoothNormals(const SurfaceNormals& normals, const Patches& patches,
+  Index graphPoints, std::int64_t points, const Execution& execution)
 {
   std::vector<float> all;
   if (normals.Normals.empty())
@@ -93,19 +93,27 @@ std::vector<float> ListSmoothNormals(
   all.assign(3 * static_cast<std::size_t>(points), 0.0f);
   const auto copy = [&](const float* first, const float* last, std::int64_t id)
   { std::copy(first, last, all.begin() + 3 * id); };
-  const float* ofGraph = normals.Normals.data();
-  copy(ofGraph, ofGraph + normals.Normals.size(), 0);
-  for (std::size_t i = 0; i < normals.Corners.size(); ++i)
-  {
-    std::fill_n(all.begin() + 3 * i, normals.Corners[i] != 0 ? 3 : 0, 0.0f);
-  }
-  for (Index i = 0; i < inner.Count(); ++i)
-  {
-    const float* first = inner.Normals.data() + 3 * inner.PointOffsets[i];
-    const float* last = inner.Normals.data() + 3 * inner.PointOffsets[i + 1];
-    copy(first, first + 3, std::int64_t(graphPoints) + inner.Cycle[i]);
-    copy(first + 3, last, patches.InnerPointId(i));
-  }
+  execution.For(normals.Corners.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      const float* ofGraph = normals.Normals.data();
+      copy(ofGraph + 3 * begin, ofGraph + 3 * end, static_cast<std::int64_t>(begin));
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        std::fill_n(all.begin() + 3 * i, normals.Corners[i] != 0 ? 3 : 0, 0.0f);
+      }
+    });
+  execution.For(static_cast<std::size_t>(inner.Count()),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (Index i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i)
+      {
+        const float* first = inner.Normals.data() + 3 * inner.PointOffsets[i];
+        const float* last = inner.Normals.data() + 3 * inner.PointOffsets[i + 1];
+        copy(first, first + 3, std::int64_t(graphPoints) + inner.Cycle[i]);
+        copy(first + 3, last, patches.InnerPointId(i));
+      }
+    });
   return all;
 }
 }

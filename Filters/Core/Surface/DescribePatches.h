@@ -33,8 +33,8 @@ std::vector<Index> CountNodePoints(
  * none (at corners of contours and in patches that are not smooth). Empty if there are none at all.
  * `graphPoints` is the number of points of G, `points` that of all; see Patches for their order.
  */
-std::vector<float> ListSmoothNormals(
-  const SurfaceNormals& normals, const Patches& patches, Index graphPoints, std::int64_t points);
+std::vector<float> ListSmoothNormals(const SurfaceNormals& normals, const Patches& patches,
+  Index graphPoints, std::int64_t points, const Execution& execution = Execution());
 }
 
 #endif

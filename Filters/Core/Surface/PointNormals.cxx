@@ -3,57 +3,117 @@
 #include "Core/Surface/PointNormals.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace orthoslices
 {
 namespace
 {
-/// Sums the area vectors of the triangles at each point; in a fixed order, so always the same.
+/// Triangles that are looked at or passed over together.
+constexpr std::int64_t BlockSize = 2048;
+
+/// The area vector of a triangle, twice as long as the area.
 template <typename Coordinate, typename Id>
-void SumAreas(const Coordinate* xyz, const Id* triangle, std::int64_t count, float* normals)
+std::array<float, 3> AreaOf(const Coordinate* xyz, const Id* triangle)
 {
-  for (const Id* end = triangle + 3 * count; triangle != end; triangle += 3)
-  {
-    const Coordinate* a = xyz + 3 * static_cast<std::int64_t>(triangle[0]);
-    const Coordinate* b = xyz + 3 * static_cast<std::int64_t>(triangle[1]);
-    const Coordinate* c = xyz + 3 * static_cast<std::int64_t>(triangle[2]);
-    const double ab[3] = { double(b[0]) - a[0], double(b[1]) - a[1], double(b[2]) - a[2] };
-    const double ac[3] = { double(c[0]) - a[0], double(c[1]) - a[1], double(c[2]) - a[2] };
-    const float area[3] = { static_cast<float>(ab[1] * ac[2] - ab[2] * ac[1]),
-      static_cast<float>(ab[2] * ac[0] - ab[0] * ac[2]),
-      static_cast<float>(ab[0] * ac[1] - ab[1] * ac[0]) };
-    for (int corner = 0; corner < 3; ++corner)
-    {
-      float* normal = normals + 3 * static_cast<std::int64_t>(triangle[corner]);
-      normal[0] += area[0];
-      normal[1] += area[1];
-      normal[2] += area[2];
-    }
-  }
+  const Coordinate* a = xyz + 3 * static_cast<std::int64_t>(triangle[0]);
+  const Coordinate* b = xyz + 3 * static_cast<std::int64_t>(triangle[1]);
+  const Coordinate* c = xyz + 3 * static_cast<std::int64_t>(triangle[2]);
+  const double ab[3] = { double(b[0]) - a[0], double(b[1]) - a[1], double(b[2]) - a[2] };
+  const double ac[3] = { double(c[0]) - a[0], double(c[1]) - a[1], double(c[2]) - a[2] };
+  return { static_cast<float>(ab[1] * ac[2] - ab[2] * ac[1]),
+    static_cast<float>(ab[2] * ac[0] - ab[0] * ac[2]),
+    static_cast<float>(ab[0] * ac[1] - ab[1] * ac[0]) };
 }
 
-/// At each point, the sum of the area vectors at the corners of the triangles around: where these
-/// are slivers, those of the next triangles decide.
+/**
+ * Adds up vectors of triangles at their corners, always in the order of the triangles, so that sums
+ * are the same for any number of threads: each thread has a part of the points, and passes over
+ * blocks of triangles that have none of them.
+ */
 template <typename Id>
-std::vector<float> SumAround(
-  const Id* triangle, std::int64_t count, std::size_t points, const float* areas)
+class CornerSums
 {
-  std::vector<float> sums(3 * points, 0.0f);
-  for (const Id* end = triangle + 3 * count; triangle != end; triangle += 3)
+public:
+  CornerSums(const Id* triangles, std::int64_t count, std::size_t points, std::size_t parts,
+    const Execution& execution)
+    : Triangles(triangles)
+    , Count(count)
+    , Points(points)
+    , Parts(parts)
+    , Execute(execution)
+    , Lowest(static_cast<std::size_t>((count + BlockSize - 1) / BlockSize))
+    , Highest(this->Lowest.size())
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      const float sum =
-        areas[3 * triangle[0] + k] + areas[3 * triangle[1] + k] + areas[3 * triangle[2] + k];
-      for (int corner = 0; corner < 3; ++corner)
+    execution.For(this->Lowest.size(),
+      [&](std::size_t begin, std::size_t end)
       {
-        sums[3 * triangle[corner] + k] += sum;
+        for (std::size_t block = begin; block < end; ++block)
+        {
+          const auto ends = std::minmax_element(
+            triangles + 3 * this->FirstOf(block), triangles + 3 * this->FirstOf(block + 1));
+          this->Lowest[block] = *ends.first;
+          this->Highest[block] = *ends.second;
+        }
+      });
+  }
+
+  /// Adds vectorOf(triangle) to `sums`, x, y, z of each point.
+  template <typename VectorOf>
+  void Add(VectorOf&& vectorOf, float* sums) const
+  {
+    this->Execute.For(this->Parts,
+      [&](std::size_t begin, std::size_t end)
+      {
+        const std::size_t first = this->Points * begin / this->Parts;
+        const std::size_t last = this->Points * end / this->Parts;
+        this->AddTo(static_cast<Id>(first), static_cast<Id>(last), vectorOf, sums);
+      });
+  }
+
+private:
+  std::int64_t FirstOf(std::size_t block) const
+  {
+    return std::min(this->Count, static_cast<std::int64_t>(block) * BlockSize);
+  }
+
+  template <typename VectorOf>
+  void AddTo(Id first, Id last, VectorOf&& vectorOf, float* sums) const
+  {
+    for (std::size_t block = 0; block < this->Lowest.size(); ++block)
+    {
+      if (this->Highest[block] < first || this->Lowest[block] >= last)
+      {
+        continue;
+      }
+      const Id* end = this->Triangles + 3 * this->FirstOf(block + 1);
+      for (const Id* t = this->Triangles + 3 * this->FirstOf(block); t != end; t += 3)
+      {
+        const auto isHere = [&](Id point) { return point >= first && point < last; };
+        if (!isHere(t[0]) && !isHere(t[1]) && !isHere(t[2]))
+        {
+          continue;
+        }
+        const std::array<float, 3> vector = vectorOf(t);
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          float* sum = sums + 3 * static_cast<std::int64_t>(t[corner]);
+          for (int k = 0; k < 3 && isHere(t[corner]); ++k)
+          {
+            sum[k] += vector[k];
+          }
+        }
       }
     }
   }
-  return sums;
-}
+
+  const Id* Triangles;
+  std::int64_t Count;
+  std::size_t Points, Parts;
+  const Execution& Execute;
+  std::vector<Id> Lowest, Highest; ///< points of each block
+};
 
 /// The squared cosine of 30 degrees.
 constexpr double SimilarCosine2 = 0.75;
@@ -81,12 +141,26 @@ void Normalize(float* n)
 
 template <typename Coordinate, typename Id>
 void ComputePointNormals(const Coordinate* xyz, std::size_t points, const Id* triangles,
-  std::int64_t count, const std::vector<float>& smooth, const Execution& execution, float* normals)
+  std::int64_t count, const std::vector<float>& smooth, const Execution& execution, float* normals,
+  std::size_t parts)
 {
   std::fill_n(normals, 3 * points, 0.0f);
-  SumAreas(xyz, triangles, count, normals);
-  const std::vector<float> around =
-    smooth.empty() ? std::vector<float>() : SumAround(triangles, count, points, normals);
+  const CornerSums<Id> corners(triangles, count, points, parts, execution);
+  corners.Add([&](const Id* triangle) { return AreaOf(xyz, triangle); }, normals);
+  // The sum of the area vectors at the corners of the triangles around: where these are slivers,
+  // those of the next triangles decide.
+  std::vector<float> around(smooth.empty() ? 0 : 3 * points, 0.0f);
+  if (!smooth.empty())
+  {
+    const auto at = [&](Id point, int k)
+    { return normals[3 * static_cast<std::int64_t>(point) + k]; };
+    const auto sumAt = [&](const Id* t, int k) { return at(t[0], k) + at(t[1], k) + at(t[2], k); };
+    corners.Add(
+      [&](const Id* t) {
+        return std::array<float, 3>{ sumAt(t, 0), sumAt(t, 1), sumAt(t, 2) };
+      },
+      around.data());
+  }
   execution.For(points,
     [&](std::size_t begin, std::size_t end)
     {
@@ -108,7 +182,7 @@ void ComputePointNormals(const Coordinate* xyz, std::size_t points, const Id* tr
 
 #define ORTHOSLICES_INSTANTIATE(Coordinate, Id)                                              \
   template void ComputePointNormals(const Coordinate*, std::size_t, const Id*, std::int64_t, \
-    const std::vector<float>&, const Execution&, float*);
+    const std::vector<float>&, const Execution&, float*, std::size_t);
 ORTHOSLICES_INSTANTIATE(float, std::int32_t)
 ORTHOSLICES_INSTANTIATE(float, long long)
 ORTHOSLICES_INSTANTIATE(double, std::int32_t)

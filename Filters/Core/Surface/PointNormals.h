@@ -16,15 +16,17 @@ namespace orthoslices
  * zero where there is none, or is empty. A smooth normal is taken if it is within 30 degrees of the
  * area vector of the triangles around the point, or of that of the next triangles around these,
  * which decide where the first are slivers. `normals`, x, y, z of each point, is written; zero at
- * points without area around them. The result does not depend on the number of threads.
+ * points without area around them. Points are divided into so many parts, each of which one thread
+ * sums up: as many as there are threads, say. The result depends on neither.
  */
 template <typename Coordinate, typename Id>
 void ComputePointNormals(const Coordinate* xyz, std::size_t points, const Id* triangles,
-  std::int64_t count, const std::vector<float>& smooth, const Execution& execution, float* normals);
+  std::int64_t count, const std::vector<float>& smooth, const Execution& execution, float* normals,
+  std::size_t parts = 1);
 
 #define ORTHOSLICES_DECLARE(Coordinate, Id)                                           \
   extern template void ComputePointNormals(const Coordinate*, std::size_t, const Id*, \
-    std::int64_t, const std::vector<float>&, const Execution&, float*);
+    std::int64_t, const std::vector<float>&, const Execution&, float*, std::size_t);
 ORTHOSLICES_DECLARE(float, std::int32_t)
 ORTHOSLICES_DECLARE(float, long long)
 ORTHOSLICES_DECLARE(double, std::int32_t)

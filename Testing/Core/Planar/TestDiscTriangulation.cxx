@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Planar/DiscTriangulation.h"
+#include "Core/Planar/SimplePolygon.h"
 
 #include "Support/Random.h"
 
