@@ -130,6 +130,11 @@ void LabelRunner::ShareContours()
   }
   this->Borders = ShareBorders(this->Thickness(), {}, this->Execute, contours);
   this->Junctions = RoundAll(this->Borders.Junctions, this->Settings.Quantum);
+  this->BuildGrids();
+}
+
+void LabelRunner::BuildGrids()
+{
   for (LabelPass& pass : this->Passes)
   {
     if (pass.IsRead)
@@ -235,6 +240,10 @@ bool LabelRunner::Run()
     return this->MakeEach();
   }
   this->ShareContours();
+  if (!this->AgreeOnSlices())
+  {
+    return false;
+  }
   const SliceDensity density = this->Density();
   if (density.IsSparse() && !this->MakeSparse(density))
   {
@@ -257,6 +266,7 @@ bool LabelRunner::Run()
     }
   }
   this->SettleCells();
+  this->TakeReports();
   return true;
 }
 

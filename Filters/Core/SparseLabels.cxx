@@ -10,10 +10,6 @@ namespace orthoslices
 {
 namespace
 {
-/// How many times slices and labels are made to agree: what one of them changes, the other one has
-/// to follow.
-constexpr int RoundsOfAgreement = 2;
-
 /// How far a virtual plane is moved at most to get off the vertices of contours, in its distance to
 /// the next one.
 constexpr double LargestShift = 0.02;
@@ -166,21 +162,50 @@ bool LabelRunner::MakeSparse(const SliceDensity& density)
   return this->FinishSparse(passes);
 }
 
+/// The planes on which no label is drawn.
+VirtualPlanes LabelRunner::ListVirtualPlanes(const std::vector<LabelPass*>& passes) const
+{
+  VirtualPlanes found = this->Planes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const LabelPass* pass : passes)
+    {
+      const SpatialGrid& grid = pass->Stages.Result.Grid;
+      const auto isDrawn = [&](double plane)
+      {
+        const std::vector<double>& own = grid.Planes[axis];
+        const auto at = std::lower_bound(own.begin(), own.end(), plane);
+        return at != own.end() && *at == plane &&
+          !grid.IsVirtual(axis, static_cast<Index>(at - own.begin()));
+      };
+      found[axis].erase(
+        std::remove_if(found[axis].begin(), found[axis].end(), isDrawn), found[axis].end());
+    }
+  }
+  return found;
+}
+
 /// The second surfaces of all labels, from virtual slices on which all slices and labels agree.
 bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
 {
-  for (int round = 0; round < RoundsOfAgreement; ++round)
+  std::deque<Contours> slices;
+  std::vector<Contours*> labels;
+  for (LabelPass* pass : passes)
   {
-    for (LabelPass* pass : passes)
-    {
-      pass->Stages.SetOtherPlanes(this->Planes);
-      if (!pass->Sparse->Redraw())
-      {
-        return false;
-      }
-    }
-    this->ShareVirtual(passes, false);
+    pass->SetProgress(ProgressOfDrawing, ProgressOfDrawing, 0, 1);
+    pass->Stages.SetOtherPlanes(this->Planes);
+    slices.push_back(pass->Sparse->ListSlices());
+    labels.push_back(&slices.back());
   }
+  if (!this->VoteTogether(this->ListVirtualPlanes(passes), labels))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < passes.size(); ++i)
+  {
+    passes[i]->Sparse->TakeVirtual(std::move(slices[i]));
+  }
+  this->ShareVirtual(passes, false);
   for (std::size_t i = 0; i < passes.size(); ++i)
   {
     passes[i]->SetProgress(ProgressOfDrawing, 1.0, i, passes.size());

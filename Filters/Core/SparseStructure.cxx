@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/SparseStructure.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/MakeSurface.h"
 #include "Core/RealSlices.h"
 #include "Core/SecondPass.h"
 #include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
+
+#include <algorithm>
 
 namespace orthoslices
 {
@@ -51,21 +54,25 @@ bool SparseStructure::Draw()
   return !first.Stopped;
 }
 
-bool SparseStructure::Redraw()
+Contours SparseStructure::ListSlices() const
 {
-  if (this->Virtual.Count() == 0)
-  {
-    return true;
-  }
   std::vector<Index> leftOut;
-  Pass again = SecondPass(this->First, this->Drawn, this->Virtual, this->Known, leftOut);
-  if (!DrawGraph(again))
+  return SecondPass(this->First, this->Drawn, this->Virtual, this->Known, leftOut).Tables.Contours;
+}
+
+void SparseStructure::TakeVirtual(Contours&& slices)
+{
+  std::vector<std::uint8_t> isKnown;
+  for (Index i = 0; i < slices.Count(); ++i)
   {
-    this->First.Result.Stopped = true;
-    return false;
+    const std::vector<double>& planes = this->First.Result.Grid.Planes[slices.Axis[i]];
+    isKnown.push_back(
+      std::binary_search(planes.begin(), planes.end(), slices.Coordinate[i]) ? 1 : 0);
   }
-  this->Virtual = ReadVirtual(again.Result, this->First.Result.Grid);
-  return true;
+  this->Virtual = std::move(slices);
+  RemoveMarked(isKnown, this->Virtual);
+  this->Virtual.Cell.assign(this->Virtual.Axis.size(), -1);
+  this->Virtual.Virtual.assign(this->Virtual.Axis.size(), 1);
 }
 
 bool SparseStructure::Finish()
