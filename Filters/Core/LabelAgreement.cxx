@@ -4,6 +4,7 @@
 
 #include "Core/Base/EditContours.h"
 #include "Core/Labels/CommonLines.h"
+#include "Core/Labels/InsertedContours.h"
 #include "Core/Labels/NestedRegions.h"
 #include "Core/MakeSurface.h"
 #include "Core/RealSlices.h"
@@ -64,6 +65,40 @@ void AddAllPlanes(const VirtualPlanes& planes, const VirtualPlanes& ofVirtual, C
       static_cast<Index>(grid.Slab(contours.Axis[contour], contours.Coordinate[contour]) - 1);
   }
 }
+}
+
+/// Takes out contours that were inserted for a label where other labels are drawn.
+void LabelRunner::RemoveInserted()
+{
+  std::vector<const Contours*> labels;
+  std::vector<Pass*> passes;
+  for (LabelPass& label : this->Passes)
+  {
+    if (label.IsRead)
+    {
+      passes.push_back(&label.Stages);
+      labels.push_back(&label.Stages.Tables.Contours);
+    }
+  }
+  const auto marked = FindContradictedInsertions(this->Thickness(), labels);
+  for (std::size_t i = 0; i < passes.size(); ++i)
+  {
+    Contours& contours = passes[i]->Tables.Contours;
+    std::vector<Repair>& repairs = passes[i]->Inserted;
+    for (Index contour = 0; contour < contours.Count(); ++contour)
+    {
+      const auto isOfSlice = [&](const Repair& repair)
+      {
+        return repair.Axis == contours.Axis[contour] &&
+          repair.Where[repair.Axis] == contours.Coordinate[contour];
+      };
+      if (marked[i][contour] != 0)
+      {
+        repairs.erase(std::remove_if(repairs.begin(), repairs.end(), isOfSlice), repairs.end());
+      }
+    }
+    RemoveMarked(marked[i], contours);
+  }
 }
 
 /// The planes through which a label passes without being drawn there, but for axes on which it

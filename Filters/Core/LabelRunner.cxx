@@ -120,6 +120,7 @@ double LabelRunner::Thickness() const
 /// Contours of labels get the same vertices where they run along each other.
 void LabelRunner::ShareContours()
 {
+  this->RemoveInserted();
   std::vector<Contours*> contours;
   for (LabelPass& pass : this->Passes)
   {

@@ -73,6 +73,7 @@ public:
 private:
   bool Read();
   bool DoAnyMeet() const;
+  void RemoveInserted();
   void ShareContours();
   void BuildGrids();
   bool FindLacking(const LabelPass& label, VirtualPlanes& lacking) const;
