@@ -188,8 +188,11 @@ SliceDensity LabelRunner::Density() const
   }
   const SpatialGrid grid = BuildSpatialGrid(
     all, this->Passes.front().Stages.Tables.Tolerance, this->Settings.SinglePrecision);
-  return { grid, BoxOf(all),
-    this->Settings.Virtual == VirtualSlices::BySpacing ? this->Settings.VirtualSpacing : 0.0 };
+  const double spacing =
+    this->Settings.Virtual == VirtualSlices::BySpacing ? this->Settings.VirtualSpacing : 0.0;
+  const SliceDensity bending{ grid, BoxOf(all), spacing };
+  return bending.IsSparse() ? bending
+                            : SliceDensity{ grid, BoxOf(all), spacing, SparseRule::Field };
 }
 
 /// Each label by itself.

@@ -90,6 +90,7 @@ private:
   bool MakeSparse(const SliceDensity& density);
   VirtualPlanes ListVirtualPlanes(const std::vector<LabelPass*>& passes) const;
   bool FinishSparse(const std::vector<LabelPass*>& passes);
+  bool FollowsField(const SliceDensity& density, LabelPass& all);
   LabelPass& AddUnion();
   void MoveOffVertices(const SpatialGrid& grid, VirtualPlanes& planes) const;
   VirtualPlanes PlanesFor(const SpatialGrid& grid, const VirtualPlanes& common) const;

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/LabelRunner.h"
 
+#include "Core/MakeSurface.h"
+#include "Core/PredictSlices.h"
+#include "Core/SecondPass.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -121,6 +125,23 @@ void LabelRunner::ShareVirtual(const std::vector<LabelPass*>& passes, bool withU
   this->Junctions.insert(junctions.begin(), junctions.end());
 }
 
+/// Whether a field through a few slices of all labels together foretells slices that are left out
+/// about as well as patches do; see MakeSparseSurface.
+bool LabelRunner::FollowsField(const SliceDensity& density, LabelPass& all)
+{
+  constexpr double enough = 0.75;
+  if (!density.IsOfField() || !this->Settings.FollowField)
+  {
+    return false;
+  }
+  const Contours& drawn = all.Stages.Tables.Contours;
+  const double step = SampleStep(ListLoops(drawn, all.Stages), density.EdgeLength());
+  all.Stages.SetShare(0.0, 0.0);
+  const auto sketch = [&density](Pass& pass)
+  { return ConnectContours(pass) && Sketch(density.EdgeLength(), pass); };
+  return ComparePredictions(drawn, all.Stages, step, sketch) >= enough;
+}
+
 /// All labels with virtual slices on the same planes.
 bool LabelRunner::MakeSparse(const SliceDensity& density)
 {
@@ -145,13 +166,16 @@ bool LabelRunner::MakeSparse(const SliceDensity& density)
     }
     this->FindPlanes();
   }
+  all.SetProgress(ProgressOfReading, ProgressOfReading, 0, 1);
+  const bool followsField = this->FollowsField(density, all);
   for (std::size_t i = 0; i < passes.size(); ++i)
   {
     LabelPass* pass = passes[i];
     pass->SetProgress(ProgressOfReading, ProgressOfDrawing, i, passes.size());
     planes.push_back(this->PlanesFor(pass->Stages.Result.Grid, common));
     pass->Sparse = std::make_unique<SparseStructure>(density, planes.back(), pass->Stages);
-    if (!pass->Sparse->Draw())
+    pass->Sparse->FollowsField = followsField;
+    if (all.Stages.Result.Stopped || !pass->Sparse->Draw())
     {
       return false;
     }

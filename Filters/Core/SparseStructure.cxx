@@ -4,8 +4,10 @@
 
 #include "Core/Base/EditContours.h"
 #include "Core/MakeSurface.h"
+#include "Core/PredictSlices.h"
 #include "Core/RealSlices.h"
 #include "Core/SecondPass.h"
+#include "Core/Sparse/FieldSlices.h"
 #include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
 
@@ -28,6 +30,10 @@ bool SparseStructure::Draw()
   Reconstruction& first = this->First.Result;
   Execution execution = this->First.Execute;
   execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
+  if (this->Density.IsOfField())
+  {
+    return this->DrawFew();
+  }
   const int axis = this->Density.StackAxis();
   const Contours ofStack = axis < 0 ? Contours() : SelectAxis(this->Drawn, axis, true);
   if (ofStack.Count() == 0)
@@ -52,6 +58,30 @@ bool SparseStructure::Draw()
     { GeometryOf(stack.Result), stack.Result.Surface, first.Grid, guides, &this->Planes },
     this->Density, execution);
   return !first.Stopped;
+}
+
+/// Virtual slices from a field, or from the first surface as it is: few slices leave it not enough
+/// to bend between.
+bool SparseStructure::DrawFew()
+{
+  Reconstruction& first = this->First.Result;
+  this->Known = TopologyOf(first);
+  if (this->FollowsField)
+  {
+    const std::vector<WorldLoop> loops = ListLoops(this->Drawn, this->First);
+    const double step = SampleStep(loops, this->Density.EdgeLength());
+    const SliceField field(SampleLoops(loops, step), this->First.Execute);
+    if (field.IsSolved())
+    {
+      this->Virtual = CutField(field, first.Grid, this->Density, this->Planes, this->First.Execute);
+      return this->First.GoOn(0.5);
+    }
+  }
+  GuideCurves none;
+  this->Virtual =
+    MakeVirtualSlices({ GeometryOf(first), first.Surface, first.Grid, none, &this->Planes, false },
+      this->Density, this->First.Execute);
+  return this->First.GoOn(0.5);
 }
 
 Contours SparseStructure::ListSlices() const

@@ -34,9 +34,13 @@ public:
   /// The second surface, in the place of the first one in its pass. False: stopped.
   bool Finish();
 
+  /// Through a few slices of several families, virtual ones are those of a field (SliceField).
+  bool FollowsField = false;
   Contours Virtual; ///< of the planes, as MakeVirtualSlices draws them
 
 private:
+  bool DrawFew();
+
   const SliceDensity& Density;
   const VirtualPlanes& Planes;
   Pass& First;

@@ -22,6 +22,8 @@ struct FairSource
   GuideCurves& Guides;
   /// The planes to cut on, in place of those of ChooseVirtualPlanes; null if they are to be chosen.
   const VirtualPlanes* Planes = nullptr;
+  /// Whether the surface is bent; else it is cut as it is.
+  bool IsBent = true;
 };
 
 /**
