@@ -120,6 +120,7 @@ double LabelRunner::Thickness() const
 /// Contours of labels get the same vertices where they run along each other.
 void LabelRunner::ShareContours()
 {
+  this->RemoveInserted();
   std::vector<Contours*> contours;
   for (LabelPass& pass : this->Passes)
   {
@@ -130,6 +131,11 @@ void LabelRunner::ShareContours()
   }
   this->Borders = ShareBorders(this->Thickness(), {}, this->Execute, contours);
   this->Junctions = RoundAll(this->Borders.Junctions, this->Settings.Quantum);
+  this->BuildGrids();
+}
+
+void LabelRunner::BuildGrids()
+{
   for (LabelPass& pass : this->Passes)
   {
     if (pass.IsRead)
@@ -182,8 +188,11 @@ SliceDensity LabelRunner::Density() const
   }
   const SpatialGrid grid = BuildSpatialGrid(
     all, this->Passes.front().Stages.Tables.Tolerance, this->Settings.SinglePrecision);
-  return { grid, BoxOf(all),
-    this->Settings.Virtual == VirtualSlices::BySpacing ? this->Settings.VirtualSpacing : 0.0 };
+  const double spacing =
+    this->Settings.Virtual == VirtualSlices::BySpacing ? this->Settings.VirtualSpacing : 0.0;
+  const SliceDensity bending{ grid, BoxOf(all), spacing };
+  return bending.IsSparse() ? bending
+                            : SliceDensity{ grid, BoxOf(all), spacing, SparseRule::Field };
 }
 
 /// Each label by itself.
@@ -235,6 +244,10 @@ bool LabelRunner::Run()
     return this->MakeEach();
   }
   this->ShareContours();
+  if (!this->AgreeOnSlices())
+  {
+    return false;
+  }
   const SliceDensity density = this->Density();
   if (density.IsSparse() && !this->MakeSparse(density))
   {
@@ -257,6 +270,7 @@ bool LabelRunner::Run()
     }
   }
   this->SettleCells();
+  this->TakeReports();
   return true;
 }
 

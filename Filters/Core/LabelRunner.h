@@ -49,6 +49,8 @@ struct LabelPass
   bool IsRead = false; ///< not refused, and there are contours
   Index Separated = 0; ///< components more than before common cells were settled
   std::unique_ptr<SparseStructure> Sparse;
+  /// What is to be said of the slices as they were before labels were made to agree on them, if so.
+  std::unique_ptr<Reconstruction> AsDrawn;
 
 private:
   double From = 0.0, To = 1.0;
@@ -71,13 +73,24 @@ public:
 private:
   bool Read();
   bool DoAnyMeet() const;
+  void RemoveInserted();
   void ShareContours();
+  void BuildGrids();
+  bool FindLacking(const LabelPass& label, VirtualPlanes& lacking) const;
+  bool DoSlicesContradict(VirtualPlanes& lacking);
+  bool KeepReports();
+  bool VoteTogether(const VirtualPlanes& ofVirtual, const std::vector<Contours*>& labels);
+  bool AgreeOnSlices();
+  bool IsStopped() const;
+  void TakeReports();
   void FindPlanes();
   void AddPlanes(const VirtualPlanes& planes);
   SliceDensity Density() const;
   bool MakeEach();
   bool MakeSparse(const SliceDensity& density);
+  VirtualPlanes ListVirtualPlanes(const std::vector<LabelPass*>& passes) const;
   bool FinishSparse(const std::vector<LabelPass*>& passes);
+  bool FollowsField(const SliceDensity& density, LabelPass& all);
   LabelPass& AddUnion();
   void MoveOffVertices(const SpatialGrid& grid, VirtualPlanes& planes) const;
   VirtualPlanes PlanesFor(const SpatialGrid& grid, const VirtualPlanes& common) const;

@@ -76,32 +76,6 @@ void ListDoubts(Reconstruction& result)
   result.Doubtful = FindUndecidedPlaces(geometry, FindDoubtfulJoins(geometry, result.Joins), 1);
 }
 
-/// Where contours cross the lattice, without contradictions between the slices (section 4.2).
-bool MakeSlicesAgree(Pass& pass)
-{
-  Reconstruction& result = pass.Result;
-  StageTables& tables = pass.Tables;
-  result.Crossings =
-    RegisterCrossings(tables.Contours, result.Grid, pass.Execute, tables.IsolatedParts);
-  tables.Edges = FileOnEdges(result.Crossings);
-  pass.Finish(Stage::RegisterCrossings);
-  if (!pass.GoOn())
-  {
-    return false;
-  }
-  result.Reconciled =
-    ReconcileSlices({ result.Grid, result.Crossings, tables.Edges, tables.IsolatedParts },
-      pass.Settings.Weights, result.InsideOut ? 1 : 0, pass.Execute);
-  result.Repairs.swap(result.Reconciled.Repairs);
-  pass.Report(pass.Inserted);
-  pass.Finish(Stage::ReconcileSlices);
-  result.Nodes = PairNodePoints(
-    result.Grid, result.Crossings, tables.Edges, pass.Settings.Weights, pass.Execute);
-  pass.Finish(Stage::PairNodePoints);
-  tables.Edges = EdgeRegister();
-  return true;
-}
-
 /// The graph G of node points and arcs (section 4.1), its arcs embedded, and the report.
 bool BuildGraph(Pass& pass)
 {
@@ -166,6 +140,31 @@ bool DoSlicesAgree(const Reconstruction& result)
     std::min({ grid.MeanSpacing(0), grid.MeanSpacing(1), grid.MeanSpacing(2) });
   return sum <=
     maximum * maximum * spacing * spacing * CountRealNodes(grid, result.Crossings, result.Nodes);
+}
+
+bool MakeSlicesAgree(Pass& pass)
+{
+  Reconstruction& result = pass.Result;
+  StageTables& tables = pass.Tables;
+  result.Crossings =
+    RegisterCrossings(tables.Contours, result.Grid, pass.Execute, tables.IsolatedParts);
+  tables.Edges = FileOnEdges(result.Crossings);
+  pass.Finish(Stage::RegisterCrossings);
+  if (!pass.GoOn())
+  {
+    return false;
+  }
+  result.Reconciled =
+    ReconcileSlices({ result.Grid, result.Crossings, tables.Edges, tables.IsolatedParts },
+      pass.Settings.Weights, result.InsideOut ? 1 : 0, pass.Execute);
+  result.Repairs.swap(result.Reconciled.Repairs);
+  pass.Report(pass.Inserted);
+  pass.Finish(Stage::ReconcileSlices);
+  result.Nodes = PairNodePoints(
+    result.Grid, result.Crossings, tables.Edges, pass.Settings.Weights, pass.Execute);
+  pass.Finish(Stage::PairNodePoints);
+  tables.Edges = EdgeRegister();
+  return true;
 }
 
 bool DrawGraph(Pass& pass) { return MakeSlicesAgree(pass) && BuildGraph(pass); }

@@ -7,6 +7,10 @@
 
 namespace orthoslices
 {
+/// Where contours cross the lattice, without contradictions between the slices (section 4.2). False:
+/// stopped.
+bool MakeSlicesAgree(Pass& pass);
+
 /// The first part of ConnectContours: slices that agree, and the graph G. False: stopped.
 bool DrawGraph(Pass& pass);
 

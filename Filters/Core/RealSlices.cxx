@@ -109,15 +109,15 @@ void TakeReport(
 
 namespace
 {
-/// Ends a contour of a virtual slice whose points have been added.
-void CloseVirtual(int axis, double coordinate, Contours& contours)
+/// Ends a contour whose points have been added.
+void CloseContour(int axis, double coordinate, bool isVirtual, Contours& contours)
 {
   contours.Offsets.push_back(static_cast<Index>(contours.U.size()));
   contours.Axis.push_back(static_cast<std::int8_t>(axis));
   contours.Coordinate.push_back(coordinate);
   contours.Plane.push_back(0);
   contours.Cell.push_back(-1);
-  contours.Virtual.push_back(1);
+  contours.Virtual.push_back(isVirtual ? 1 : 0);
 }
 
 void AddPoint(int axis, const Point3& point, Contours& contours)
@@ -149,11 +149,12 @@ void ReadContour(
       AddPoint(axis, result.Graph.PointAt(result.Graph.FirstPoint(next) + i), contours);
     }
   }
-  CloseVirtual(axis, result.Grid.Planes[axis][isFirst ? edge.First : edge.Second], contours);
-}
+  const Index plane = isFirst ? edge.First : edge.Second;
+  CloseContour(axis, result.Grid.Planes[axis][plane], result.Grid.IsVirtual(axis, plane), contours);
 }
 
-Contours ReadVirtual(const Reconstruction& result, const SpatialGrid& known)
+/// The contours of all slices, or of virtual ones alone.
+Contours ReadContours(const Reconstruction& result, bool withReal)
 {
   Contours contours;
   const GridEdgeCode code(result.Grid);
@@ -161,8 +162,9 @@ Contours ReadVirtual(const Reconstruction& result, const SpatialGrid& known)
   for (Index arc = 0; arc < result.Crossings.Count(); ++arc)
   {
     if (!result.Crossings.IsRemoved(arc) && isRead[arc] == 0 &&
-      IsVirtualSlice(
-        result.Grid, code.Decode(result.Crossings.Edge[arc]), result.Crossings.Family[arc]))
+      (withReal ||
+        IsVirtualSlice(
+          result.Grid, code.Decode(result.Crossings.Edge[arc]), result.Crossings.Family[arc])))
     {
       ReadContour(result, arc, isRead, contours);
     }
@@ -171,16 +173,26 @@ Contours ReadVirtual(const Reconstruction& result, const SpatialGrid& known)
   for (Index i = 0; i < isolated.Count(); ++i)
   {
     const int axis = isolated.Axis[i];
-    if (result.Grid.IsVirtual(axis, isolated.Plane[i]) && isolated.LeftOut[i] == 0)
+    const bool isVirtual = result.Grid.IsVirtual(axis, isolated.Plane[i]);
+    if ((withReal || isVirtual) && isolated.LeftOut[i] == 0)
     {
       for (Index k = isolated.Offsets[i]; k < isolated.Offsets[i + 1]; ++k)
       {
         const double* p = isolated.Points.data() + 3 * static_cast<std::size_t>(k);
         AddPoint(axis, { p[0], p[1], p[2] }, contours);
       }
-      CloseVirtual(axis, result.Grid.Planes[axis][isolated.Plane[i]], contours);
+      CloseContour(axis, result.Grid.Planes[axis][isolated.Plane[i]], isVirtual, contours);
     }
   }
+  return contours;
+}
+}
+
+Contours ReadAll(const Reconstruction& result) { return ReadContours(result, true); }
+
+Contours ReadVirtual(const Reconstruction& result, const SpatialGrid& known)
+{
+  Contours contours = ReadContours(result, false);
   std::vector<std::uint8_t> isKnown;
   for (Index i = 0; i < contours.Count(); ++i)
   {

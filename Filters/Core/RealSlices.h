@@ -30,6 +30,10 @@ void TakeReport(
 
 /// The contours of virtual slices as they are in the graph G, but for planes that `known` has.
 Contours ReadVirtual(const Reconstruction& result, const SpatialGrid& known);
+
+/// The contours of all slices as they are in the graph G, without those that are left out there;
+/// of the cell -1, Plane to be found.
+Contours ReadAll(const Reconstruction& result);
 }
 
 #endif

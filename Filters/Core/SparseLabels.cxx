@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/LabelRunner.h"
 
+#include "Core/MakeSurface.h"
+#include "Core/PredictSlices.h"
+#include "Core/SecondPass.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -10,10 +14,6 @@ namespace orthoslices
 {
 namespace
 {
-/// How many times slices and labels are made to agree: what one of them changes, the other one has
-/// to follow.
-constexpr int RoundsOfAgreement = 2;
-
 /// How far a virtual plane is moved at most to get off the vertices of contours, in its distance to
 /// the next one.
 constexpr double LargestShift = 0.02;
@@ -125,6 +125,23 @@ void LabelRunner::ShareVirtual(const std::vector<LabelPass*>& passes, bool withU
   this->Junctions.insert(junctions.begin(), junctions.end());
 }
 
+/// Whether a field through a few slices of all labels together foretells slices that are left out
+/// about as well as patches do; see MakeSparseSurface.
+bool LabelRunner::FollowsField(const SliceDensity& density, LabelPass& all)
+{
+  constexpr double enough = 0.75;
+  if (!density.IsOfField() || !this->Settings.FollowField)
+  {
+    return false;
+  }
+  const Contours& drawn = all.Stages.Tables.Contours;
+  const double step = SampleStep(ListLoops(drawn, all.Stages), density.EdgeLength());
+  all.Stages.SetShare(0.0, 0.0);
+  const auto sketch = [&density](Pass& pass)
+  { return ConnectContours(pass) && Sketch(density.EdgeLength(), pass); };
+  return ComparePredictions(drawn, all.Stages, step, sketch) >= enough;
+}
+
 /// All labels with virtual slices on the same planes.
 bool LabelRunner::MakeSparse(const SliceDensity& density)
 {
@@ -149,13 +166,16 @@ bool LabelRunner::MakeSparse(const SliceDensity& density)
     }
     this->FindPlanes();
   }
+  all.SetProgress(ProgressOfReading, ProgressOfReading, 0, 1);
+  const bool followsField = this->FollowsField(density, all);
   for (std::size_t i = 0; i < passes.size(); ++i)
   {
     LabelPass* pass = passes[i];
     pass->SetProgress(ProgressOfReading, ProgressOfDrawing, i, passes.size());
     planes.push_back(this->PlanesFor(pass->Stages.Result.Grid, common));
     pass->Sparse = std::make_unique<SparseStructure>(density, planes.back(), pass->Stages);
-    if (!pass->Sparse->Draw())
+    pass->Sparse->FollowsField = followsField;
+    if (all.Stages.Result.Stopped || !pass->Sparse->Draw())
     {
       return false;
     }
@@ -166,21 +186,50 @@ bool LabelRunner::MakeSparse(const SliceDensity& density)
   return this->FinishSparse(passes);
 }
 
+/// The planes on which no label is drawn.
+VirtualPlanes LabelRunner::ListVirtualPlanes(const std::vector<LabelPass*>& passes) const
+{
+  VirtualPlanes found = this->Planes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const LabelPass* pass : passes)
+    {
+      const SpatialGrid& grid = pass->Stages.Result.Grid;
+      const auto isDrawn = [&](double plane)
+      {
+        const std::vector<double>& own = grid.Planes[axis];
+        const auto at = std::lower_bound(own.begin(), own.end(), plane);
+        return at != own.end() && *at == plane &&
+          !grid.IsVirtual(axis, static_cast<Index>(at - own.begin()));
+      };
+      found[axis].erase(
+        std::remove_if(found[axis].begin(), found[axis].end(), isDrawn), found[axis].end());
+    }
+  }
+  return found;
+}
+
 /// The second surfaces of all labels, from virtual slices on which all slices and labels agree.
 bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
 {
-  for (int round = 0; round < RoundsOfAgreement; ++round)
+  std::deque<Contours> slices;
+  std::vector<Contours*> labels;
+  for (LabelPass* pass : passes)
   {
-    for (LabelPass* pass : passes)
-    {
-      pass->Stages.SetOtherPlanes(this->Planes);
-      if (!pass->Sparse->Redraw())
-      {
-        return false;
-      }
-    }
-    this->ShareVirtual(passes, false);
+    pass->SetProgress(ProgressOfDrawing, ProgressOfDrawing, 0, 1);
+    pass->Stages.SetOtherPlanes(this->Planes);
+    slices.push_back(pass->Sparse->ListSlices());
+    labels.push_back(&slices.back());
   }
+  if (!this->VoteTogether(this->ListVirtualPlanes(passes), labels))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < passes.size(); ++i)
+  {
+    passes[i]->Sparse->TakeVirtual(std::move(slices[i]));
+  }
+  this->ShareVirtual(passes, false);
   for (std::size_t i = 0; i < passes.size(); ++i)
   {
     passes[i]->SetProgress(ProgressOfDrawing, 1.0, i, passes.size());

@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/SparseStructure.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/MakeSurface.h"
+#include "Core/PredictSlices.h"
 #include "Core/RealSlices.h"
 #include "Core/SecondPass.h"
+#include "Core/Sparse/FieldSlices.h"
 #include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
+
+#include <algorithm>
 
 namespace orthoslices
 {
@@ -26,6 +31,10 @@ bool SparseStructure::Draw()
   this->First.SetShare(ProgressOfStack, ProgressOfBending);
   Execution execution = this->First.Execute;
   execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
+  if (this->Density.IsOfField())
+  {
+    return this->DrawFew();
+  }
   const double cornerAngle = this->First.Settings.Patching.CornerAngle;
   const int axis = this->Density.StackAxis();
   const Contours ofStack = axis < 0 ? Contours() : SelectAxis(this->Drawn, axis, true);
@@ -53,21 +62,50 @@ bool SparseStructure::Draw()
   return !first.Stopped;
 }
 
-bool SparseStructure::Redraw()
+/// Virtual slices from a field, or from the first surface as it is: few slices leave it not enough
+/// to bend between.
+bool SparseStructure::DrawFew()
 {
-  if (this->Virtual.Count() == 0)
+  Reconstruction& first = this->First.Result;
+  this->Known = TopologyOf(first);
+  if (this->FollowsField)
   {
-    return true;
+    const std::vector<WorldLoop> loops = ListLoops(this->Drawn, this->First);
+    const double step = SampleStep(loops, this->Density.EdgeLength());
+    const SliceField field(SampleLoops(loops, step), this->First.Execute);
+    if (field.IsSolved())
+    {
+      this->Virtual = CutField(field, first.Grid, this->Density, this->Planes, this->First.Execute);
+      return this->First.GoOn(0.5);
+    }
   }
+  GuideCurves none;
+  this->Virtual =
+    MakeVirtualSlices({ GeometryOf(first), first.Surface, first.Grid, none,
+                        this->First.Settings.Patching.CornerAngle, &this->Planes, false },
+      this->Density, this->First.Execute);
+  return this->First.GoOn(0.5);
+}
+
+Contours SparseStructure::ListSlices() const
+{
   std::vector<Index> leftOut;
-  Pass again = SecondPass(this->First, this->Drawn, this->Virtual, this->Known, leftOut);
-  if (!DrawGraph(again))
+  return SecondPass(this->First, this->Drawn, this->Virtual, this->Known, leftOut).Tables.Contours;
+}
+
+void SparseStructure::TakeVirtual(Contours&& slices)
+{
+  std::vector<std::uint8_t> isKnown;
+  for (Index i = 0; i < slices.Count(); ++i)
   {
-    this->First.Result.Stopped = true;
-    return false;
+    const std::vector<double>& planes = this->First.Result.Grid.Planes[slices.Axis[i]];
+    isKnown.push_back(
+      std::binary_search(planes.begin(), planes.end(), slices.Coordinate[i]) ? 1 : 0);
   }
-  this->Virtual = ReadVirtual(again.Result, this->First.Result.Grid);
-  return true;
+  this->Virtual = std::move(slices);
+  RemoveMarked(isKnown, this->Virtual);
+  this->Virtual.Cell.assign(this->Virtual.Axis.size(), -1);
+  this->Virtual.Virtual.assign(this->Virtual.Axis.size(), 1);
 }
 
 bool SparseStructure::Finish()

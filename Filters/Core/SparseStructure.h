@@ -27,15 +27,20 @@ public:
 
   /// The first surface, bent and cut on the planes: sets Virtual. False: stopped.
   bool Draw();
-  /// Draws the virtual slices as they are after all slices have been made to agree, so that a
-  /// second surface changes them no more: sets Virtual. False: stopped.
-  bool Redraw();
+  /// All slices, as the second surface is to be made from them.
+  Contours ListSlices() const;
+  /// Takes the virtual slices as they are once all have been made to agree.
+  void TakeVirtual(Contours&& slices);
   /// The second surface, in the place of the first one in its pass. False: stopped.
   bool Finish();
 
+  /// Through a few slices of several families, virtual ones are those of a field (SliceField).
+  bool FollowsField = false;
   Contours Virtual; ///< of the planes, as MakeVirtualSlices draws them
 
 private:
+  bool DrawFew();
+
   const SliceDensity& Density;
   const VirtualPlanes& Planes;
   Pass& First;

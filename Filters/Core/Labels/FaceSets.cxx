@@ -152,6 +152,16 @@ StructureSets FaceSets::Reassign(double thickness, const StructureSets& allowed)
   return kept;
 }
 
+void FaceSets::RemoveSlivers(double thickness, const std::vector<std::uint8_t>& isKept)
+{
+  std::vector<std::uint8_t> isOpen;
+  for (Index face = 0; face < this->Count(); ++face)
+  {
+    isOpen.push_back(isKept[face] == 0 && this->IsSliver(face, thickness) ? 1 : 0);
+  }
+  this->FillOpen(isOpen);
+}
+
 std::vector<std::uint8_t> FaceSets::InsideOf(Index structure) const
 {
   std::vector<std::uint8_t> inside;

@@ -24,6 +24,8 @@ public:
   /// Gives slivers, and faces with sets that are not among those allowed, if these are not empty,
   /// to neighbours, as ShareBorders says. The sets of all other faces.
   StructureSets Reassign(double thickness, const StructureSets& allowed);
+  /// Gives slivers to neighbours, but for faces that are marked.
+  void RemoveSlivers(double thickness, const std::vector<std::uint8_t>& isKept);
 
   Index Count() const { return static_cast<Index>(this->Sets.size()); }
   const std::vector<Index>& operator[](Index face) const { return this->Sets[face]; }

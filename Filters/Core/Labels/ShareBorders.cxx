@@ -5,6 +5,7 @@
 #include "Core/Base/EditContours.h"
 #include "Core/Base/Vectors.h"
 #include "Core/Labels/FaceSets.h"
+#include "Core/Labels/SliceMembers.h"
 #include "Core/Labels/SnapVertices.h"
 #include "Core/Loops/TraceRegion.h"
 
@@ -14,13 +15,6 @@ namespace orthoslices
 {
 namespace
 {
-/// A contour of one of several structures.
-struct Member
-{
-  Index Structure;
-  Index Contour;
-};
-
 /// What becomes of the contours of one slice.
 struct SharedSlice
 {
@@ -31,7 +25,7 @@ struct SharedSlice
 class SliceSharer
 {
 public:
-  SliceSharer(const std::vector<Contours*>& structures, const std::vector<Member>& members,
+  SliceSharer(const std::vector<Contours*>& structures, const std::vector<SliceMember>& members,
     double thickness, const StructureSets& allowed)
     : Structures(structures)
     , Members(members)
@@ -52,7 +46,7 @@ private:
     const PlaneWalks& walks, const PlaneFaces& faces, const FaceSets& sets, Index structure) const;
 
   const std::vector<Contours*>& Structures;
-  const std::vector<Member>& Members;
+  const std::vector<SliceMember>& Members;
   const double Thickness;
   const StructureSets& Allowed;
   std::vector<std::uint8_t> IsMoved; ///< of each member: a vertex was moved onto another contour
@@ -66,7 +60,7 @@ std::vector<std::vector<Point2>> SliceSharer::ReadPolygons()
   std::vector<std::vector<Point2>> polygons;
   double length = 0.0;
   std::size_t sides = 0;
-  for (const Member& member : this->Members)
+  for (const SliceMember& member : this->Members)
   {
     const Contours& contours = *this->Structures[member.Structure];
     std::vector<Point2> polygon;
@@ -134,7 +128,7 @@ void SliceSharer::CountVanished(const LoopWindings& windings, const FaceSets& se
   this->Result.Found.Vanished.assign(this->Structures.size(), 0);
   for (std::size_t i = 0; i < this->Members.size(); ++i)
   {
-    const Member& member = this->Members[i];
+    const SliceMember& member = this->Members[i];
     const bool isOutline =
       TwiceSignedArea(*this->Structures[member.Structure], member.Contour) > 0.0;
     this->Result.Found.Vanished[member.Structure] += isOutline && isLeft[i] == 0 ? 1 : 0;
@@ -195,7 +189,7 @@ Contours SliceSharer::Trace(
     first = member->Structure == structure ? member->Contour : first;
   }
   const Contours& from = *this->Structures[std::max<Index>(structure, 0)];
-  const Member& any = this->Members.front();
+  const SliceMember& any = this->Members.front();
   Contours made;
   for (const TracedLoop& loop : TraceRegion(walks, faces, sets.InsideOf(structure)))
   {
@@ -203,7 +197,7 @@ Contours SliceSharer::Trace(
     {
       continue;
     }
-    const Member& drawn = this->Members[loop.Walk];
+    const SliceMember& drawn = this->Members[loop.Walk];
     const Index source = drawn.Structure == structure ? drawn.Contour : first;
     for (const Point2& p : loop.Points)
     {
@@ -230,7 +224,7 @@ SharedSlice SliceSharer::Run()
   const PlaneFaces faces(walks);
   const LoopWindings windings(walks, faces);
   std::vector<Index> structures; // of each walk
-  for (const Member& member : this->Members)
+  for (const SliceMember& member : this->Members)
   {
     structures.push_back(member.Structure);
   }
@@ -248,27 +242,6 @@ SharedSlice SliceSharer::Run()
     }
   }
   return std::move(this->Result);
-}
-
-/// The contours of all structures by slice.
-std::vector<std::vector<Member>> ListSlices(const std::vector<Contours*>& structures)
-{
-  std::map<std::pair<int, double>, std::vector<Member>> slices;
-  for (std::size_t i = 0; i < structures.size(); ++i)
-  {
-    const Contours& contours = *structures[i];
-    for (Index contour = 0; contour < contours.Count(); ++contour)
-    {
-      slices[{ contours.Axis[contour], contours.Coordinate[contour] }].push_back(
-        { static_cast<Index>(i), contour });
-    }
-  }
-  std::vector<std::vector<Member>> list;
-  for (auto& slice : slices)
-  {
-    list.push_back(std::move(slice.second));
-  }
-  return list;
 }
 
 /// Appends contours that are virtual where they say so.
@@ -308,7 +281,8 @@ void AddTo(const SharedBorders& slice, SharedBorders& all)
 SharedBorders ShareBorders(double thickness, const StructureSets& allowed,
   const Execution& execution, const std::vector<Contours*>& structures)
 {
-  const std::vector<std::vector<Member>> slices = ListSlices(structures);
+  const std::vector<std::vector<SliceMember>> slices =
+    ListSlices({ structures.begin(), structures.end() });
   std::vector<SharedSlice> shared(slices.size());
   execution.For(slices.size(),
     [&](std::size_t begin, std::size_t end)
@@ -331,7 +305,7 @@ SharedBorders ShareBorders(double thickness, const StructureSets& allowed,
     AddTo(shared[i].Found, all);
     for (const auto& made : shared[i].New)
     {
-      for (const Member& member : slices[i])
+      for (const SliceMember& member : slices[i])
       {
         if (member.Structure == made.first)
         {

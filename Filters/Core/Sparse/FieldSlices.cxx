@@ -301,10 +301,16 @@ Box3 RangeOf(const SpatialGrid& grid)
 Contours CutField(const SliceField& field, const SpatialGrid& grid, const SliceDensity& density,
   const Execution& execution)
 {
+  return CutField(
+    field, grid, density, ChooseVirtualPlanes(grid, RangeOf(grid), density), execution);
+}
+
+Contours CutField(const SliceField& field, const SpatialGrid& grid, const SliceDensity& density,
+  const VirtualPlanes& planes, const Execution& execution)
+{
   Lattice lattice;
   lattice.Inside = RangeOf(grid);
   lattice.Metric = grid.Metric;
-  const VirtualPlanes planes = ChooseVirtualPlanes(grid, lattice.Inside, density);
   for (int axis = 0; axis < 3; ++axis)
   {
     std::vector<double> all = grid.Planes[axis];

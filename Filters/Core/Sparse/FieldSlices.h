@@ -19,6 +19,9 @@ namespace orthoslices
  */
 Contours CutField(const SliceField& field, const SpatialGrid& grid, const SliceDensity& density,
   const Execution& execution);
+/// The same on planes that are given.
+Contours CutField(const SliceField& field, const SpatialGrid& grid, const SliceDensity& density,
+  const VirtualPlanes& planes, const Execution& execution);
 }
 
 #endif

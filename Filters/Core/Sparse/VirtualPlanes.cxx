@@ -100,6 +100,7 @@ SliceDensity::SliceDensity(
     return;
   }
   this->Stack = FindStack(grid);
+  this->OfField = ofField;
   this->IsFine = !ofField && this->Stack < 0 && CountFamilies(grid) == 2;
   const double densest = DensestSpacing(grid);
   const Index most = MostPlanes(grid);

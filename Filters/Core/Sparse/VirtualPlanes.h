@@ -62,6 +62,8 @@ public:
   int StackAxis() const { return this->Stack; }
   /// Whether there is a sparse slab.
   bool IsSparse() const { return this->Sparse; }
+  /// Whether slices are so few that no surface can bend from one to the next.
+  bool IsOfField() const { return this->OfField; }
   /// How far apart planes have to be along an axis, in world units; 0 if the rules find nothing
   /// sparse.
   double Spacing(int axis) const { return this->Target[axis]; }
@@ -82,6 +84,7 @@ private:
   int Stack = -1;
   bool IsFine = false; ///< two families, neither of them a few slices across the other
   bool Sparse = false;
+  bool OfField = false;
 };
 
 /**

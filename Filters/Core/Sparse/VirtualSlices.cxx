@@ -164,11 +164,13 @@ Contours MakeVirtualSlices(
   GuideCurves& guides = source.Guides;
   SurfaceMesh mesh = MakeSurfaceMesh(source.Geometry, source.Surface, guides, execution);
   KeepCorners(FindContourCorners(source.Geometry, source.CornerAngle), mesh);
-  if (!MakeFair(guides, density, execution, mesh))
+  if (source.IsBent && !MakeFair(guides, density, execution, mesh))
   {
     return contours;
   }
-  TriangleSurface surface = SubdivideSurface(mesh);
+  TriangleSurface surface = source.IsBent
+    ? SubdivideSurface(mesh)
+    : TriangleSurface{ mesh.Points, mesh.Corners.ListTriangles(), {} };
   if (CloseSurface(surface).Kind != SurfaceProblemKind::None)
   {
     return contours; // not reached: collapses, flips and splits keep it closed

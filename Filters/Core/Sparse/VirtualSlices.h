@@ -23,6 +23,8 @@ struct FairSource
   double CornerAngle; ///< of contours, radians; see DrawCreases
   /// The planes to cut on, in place of those of ChooseVirtualPlanes; null if they are to be chosen.
   const VirtualPlanes* Planes = nullptr;
+  /// Whether the surface is bent; else it is cut as it is.
+  bool IsBent = true;
 };
 
 /**

@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/LabelRunner.h"
+
+#include "Core/Base/EditContours.h"
+#include "Core/Labels/CommonLines.h"
+#include "Core/Labels/InsertedContours.h"
+#include "Core/Labels/NestedRegions.h"
+#include "Core/MakeSurface.h"
+#include "Core/RealSlices.h"
+#include "Core/Slices/EmptyPlanes.h"
+
+#include <algorithm>
+#include <iterator>
+
+/// The part of LabelRunner for slices that contradict each other.
+namespace orthoslices
+{
+namespace
+{
+/// A label that is lacking on more of the planes of an axis that it passes through is taken at its
+/// word there.
+constexpr double MostLacking = 0.5;
+
+/// Flags the contours on some planes as virtual.
+void FlagVirtual(const VirtualPlanes& planes, Contours& contours)
+{
+  contours.Virtual.assign(contours.Axis.size(), 0);
+  for (Index i = 0; i < contours.Count(); ++i)
+  {
+    const std::vector<double>& those = planes[contours.Axis[i]];
+    contours.Virtual[i] =
+      std::binary_search(those.begin(), those.end(), contours.Coordinate[i]) ? 1 : 0;
+  }
+}
+
+/// Adds the planes to a grid that it has not, as virtual ones where they are so.
+void AddAllPlanes(const VirtualPlanes& planes, const VirtualPlanes& ofVirtual, Contours& contours,
+  SpatialGrid& grid)
+{
+  std::array<std::vector<std::uint8_t>, 3> flags;
+  bool anyVirtual = grid.HasVirtual();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<double>& own = grid.Planes[axis];
+    for (const double plane : planes[axis])
+    {
+      const auto found = std::lower_bound(own.begin(), own.end(), plane);
+      const bool isOwn = found != own.end() && *found == plane;
+      flags[axis].push_back(isOwn
+          ? grid.IsVirtual(axis, static_cast<Index>(found - own.begin()))
+          : std::binary_search(ofVirtual[axis].begin(), ofVirtual[axis].end(), plane));
+      anyVirtual |= flags[axis].back() != 0;
+    }
+  }
+  grid.Planes = planes;
+  grid.Virtual = {};
+  if (anyVirtual)
+  {
+    grid.Virtual = std::move(flags);
+  }
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    contours.Plane[contour] =
+      static_cast<Index>(grid.Slab(contours.Axis[contour], contours.Coordinate[contour]) - 1);
+  }
+}
+}
+
+/// Takes out contours that were inserted for a label where other labels are drawn.
+void LabelRunner::RemoveInserted()
+{
+  std::vector<const Contours*> labels;
+  std::vector<Pass*> passes;
+  for (LabelPass& label : this->Passes)
+  {
+    if (label.IsRead)
+    {
+      passes.push_back(&label.Stages);
+      labels.push_back(&label.Stages.Tables.Contours);
+    }
+  }
+  const auto marked = FindContradictedInsertions(this->Thickness(), labels);
+  for (std::size_t i = 0; i < passes.size(); ++i)
+  {
+    Contours& contours = passes[i]->Tables.Contours;
+    std::vector<Repair>& repairs = passes[i]->Inserted;
+    for (Index contour = 0; contour < contours.Count(); ++contour)
+    {
+      const auto isOfSlice = [&](const Repair& repair)
+      {
+        return repair.Axis == contours.Axis[contour] &&
+          repair.Where[repair.Axis] == contours.Coordinate[contour];
+      };
+      if (marked[i][contour] != 0)
+      {
+        repairs.erase(std::remove_if(repairs.begin(), repairs.end(), isOfSlice), repairs.end());
+      }
+    }
+    RemoveMarked(marked[i], contours);
+  }
+}
+
+/// The planes through which a label passes without being drawn there, but for axes on which it
+/// seldom is. False if it is drawn on no plane of an axis.
+bool LabelRunner::FindLacking(const LabelPass& label, VirtualPlanes& lacking) const
+{
+  Contours contours = label.Stages.Tables.Contours;
+  SpatialGrid grid = label.Stages.Result.Grid;
+  const Box3 box = BoxOf(contours);
+  AddEmptyPlanes(this->Planes, contours, grid);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::vector<double>& planes = this->Planes[axis];
+    const auto first = std::lower_bound(planes.begin(), planes.end(), box.Low[axis]);
+    const auto last = std::upper_bound(first, planes.end(), box.High[axis]);
+    std::vector<double> found;
+    std::set_difference(
+      first, last, grid.Planes[axis].begin(), grid.Planes[axis].end(), std::back_inserter(found));
+    if (first != last && label.Stages.Result.Grid.Planes[axis].empty())
+    {
+      return false;
+    }
+    if (static_cast<double>(found.size()) > MostLacking * static_cast<double>(last - first))
+    {
+      continue;
+    }
+    std::vector<double> all;
+    std::set_union(lacking[axis].begin(), lacking[axis].end(), found.begin(), found.end(),
+      std::back_inserter(all));
+    lacking[axis] = std::move(all);
+  }
+  return true;
+}
+
+/// Whether slices contradict each other on labels, so that these would part if each was made to
+/// agree by itself; on which planes some are not drawn.
+bool LabelRunner::DoSlicesContradict(VirtualPlanes& lacking)
+{
+  for (const LabelPass& label : this->Passes)
+  {
+    if (label.IsRead && !this->FindLacking(label, lacking))
+    {
+      return false; // not all labels are drawn on all families
+    }
+  }
+  if (std::any_of(lacking.begin(), lacking.end(), [](const auto& of) { return !of.empty(); }))
+  {
+    return true;
+  }
+  std::vector<StructureCrossings> crossings;
+  bool isChanged = false;
+  for (LabelPass& label : this->Passes)
+  {
+    if (label.IsRead)
+    {
+      Pass trial(label.Stages, Contours(label.Stages.Tables.Contours));
+      trial.SetShare(0.0, 0.0);
+      label.Stages.Result.Stopped = !MakeSlicesAgree(trial);
+      Reconstruction& made = trial.Result;
+      isChanged |= made.Reconciled.Vertices + made.Reconciled.Edges > 0;
+      crossings.push_back(
+        { std::move(made.Grid), std::move(made.Crossings), std::move(made.Nodes) });
+      if (label.Stages.Result.Stopped)
+      {
+        return false;
+      }
+    }
+  }
+  return isChanged && !DoStructuresAgree(crossings, this->Borders.Sets);
+}
+
+/// Keeps what is to be said of the slices of each label as they were drawn. False: stopped.
+bool LabelRunner::KeepReports()
+{
+  for (LabelPass& label : this->Passes)
+  {
+    if (label.IsRead)
+    {
+      Pass drawn(label.Stages, Contours(label.Stages.Tables.Contours));
+      drawn.SetShare(0.0, 0.0);
+      if (!DrawGraph(drawn))
+      {
+        return false;
+      }
+      label.AsDrawn = std::make_unique<Reconstruction>();
+      Reconstruction& kept = *label.AsDrawn;
+      kept.Grid = std::move(drawn.Result.Grid);
+      kept.Reconciled = drawn.Result.Reconciled;
+      kept.Repairs = std::move(drawn.Result.Repairs);
+      kept.Members = std::move(drawn.Result.Members);
+      kept.Agreement = std::move(drawn.Result.Agreement);
+      kept.Nodes.Difference = std::move(drawn.Result.Nodes.Difference);
+    }
+  }
+  return true;
+}
+
+/**
+ * Makes slices of all labels, of which some may be virtual, agree on all labels together. `labels`
+ * become what they are then on each slice. False: stopped.
+ */
+bool LabelRunner::VoteTogether(const VirtualPlanes& ofVirtual, const std::vector<Contours*>& labels)
+{
+  const OrderedSets sets(this->Borders.Sets.begin(), this->Borders.Sets.end());
+  std::vector<Contours> regions =
+    NestRegions(sets, this->Execute, { labels.begin(), labels.end() });
+  for (Contours& region : regions)
+  {
+    if (region.Count() == 0)
+    {
+      continue;
+    }
+    FlagVirtual(ofVirtual, region);
+    Pass pass(this->Settings, this->Passes.front().Execute, this->Passes.front().Observe);
+    pass.Tables.Tolerance = this->Passes.front().Stages.Tables.Tolerance;
+    pass.Tables.Contours = std::move(region);
+    pass.SetShare(0.0, 0.0);
+    pass.BuildGrid();
+    AddAllPlanes(this->Planes, ofVirtual, pass.Tables.Contours, pass.Result.Grid);
+    if (!DrawGraph(pass))
+    {
+      this->Passes.front().Stages.Result.Stopped = true;
+      return false;
+    }
+    region = ReadAll(pass.Result);
+  }
+  if (!regions.empty())
+  {
+    PartRegions({ sets, this->Planes, this->Thickness() }, this->Execute, regions, labels);
+  }
+  return true;
+}
+
+/**
+ * Where slices contradict each other, all labels vote together: each place of a slice gets one of
+ * the sets of labels that slices show. What contours of lesser labels run along stays common. A
+ * slice on which a label is lacking gives way to those across. Where slices agree, nothing is
+ * changed.
+ */
+bool LabelRunner::AgreeOnSlices()
+{
+  VirtualPlanes lacking;
+  const bool anyInsideOut = std::any_of(this->Passes.begin(), this->Passes.end(),
+    [](const LabelPass& pass) { return pass.Stages.Result.InsideOut; });
+  for (LabelPass& pass : this->Passes)
+  {
+    pass.SetProgress(ProgressOfReading, ProgressOfReading, 0, 1);
+  }
+  if (anyInsideOut || !this->DoSlicesContradict(lacking))
+  {
+    return !this->IsStopped();
+  }
+  std::vector<Contours*> labels;
+  for (LabelPass& pass : this->Passes)
+  {
+    if (pass.IsRead)
+    {
+      labels.push_back(&pass.Stages.Tables.Contours);
+    }
+  }
+  if (!this->KeepReports() || !this->VoteTogether(lacking, labels))
+  {
+    return false;
+  }
+  for (Contours* contours : labels)
+  {
+    contours->Virtual.clear();
+  }
+  const SharedBorders shared = ShareBorders(0.0, {}, this->Execute, labels);
+  this->Borders.Union = shared.Union;
+  this->Junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
+  this->BuildGrids();
+  return true;
+}
+
+bool LabelRunner::IsStopped() const
+{
+  return std::any_of(this->Passes.begin(), this->Passes.end(),
+    [](const LabelPass& pass) { return pass.Stages.Result.Stopped; });
+}
+
+/// Says of the slices what there is to be said of them as they were drawn.
+void LabelRunner::TakeReports()
+{
+  for (LabelPass& pass : this->Passes)
+  {
+    if (pass.AsDrawn != nullptr)
+    {
+      Reconstruction& result = pass.Stages.Result;
+      pass.AsDrawn->SmallComponents = result.SmallComponents;
+      pass.AsDrawn->Repairs.insert(
+        pass.AsDrawn->Repairs.end(), result.Repairs.begin(), result.Repairs.end());
+      TakeReport(*pass.AsDrawn, {}, result);
+    }
+  }
+}
+}
