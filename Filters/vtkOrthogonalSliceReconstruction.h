@@ -165,8 +165,11 @@
  * "Volume" (double, world units), exact for the triangles: the volume is positive for an outer
  * surface and negative for that of a cavity, which is a component of its own, so that volumes add
  * up to that of the body; "CentroidX", "CentroidY", "CentroidZ" (double): of the solid that the
- * component encloses; "Triangles" (vtkIdType). A component that is open has the volume NaN and the
- * centroid of its surface.
+ * component encloses; "Triangles" (vtkIdType); "SeedX", "SeedY", "SeedZ" (double): a point in the
+ * region that the component encloses, right beside it, for mesh generators: of a body one in its
+ * material, of a cavity one in the hole. A component that is open has the volume NaN, the
+ * centroid of its surface, and perhaps no seed (NaN). With labels, other labels within one are
+ * passed over.
  *
  * @section Labels Labels
  * With LabelArray, each label is reconstructed from its contours, with common axes of the slices,
@@ -725,6 +728,18 @@ public:
 
   ///@{
   /**
+   * Whether contours keep all of their vertices also with few triangles (Accuracy,
+   * AutomaticAccuracy): then triangles inside patches are few, and those along contours as many as
+   * these have vertices. Off by default: the surface passes within the accuracy of every contour.
+   * Without Accuracy and AutomaticAccuracy all contours keep their vertices in any case.
+   */
+  vtkSetMacro(KeepContourVertices, bool);
+  vtkGetMacro(KeepContourVertices, bool);
+  vtkBooleanMacro(KeepContourVertices, bool);
+  ///@}
+
+  ///@{
+  /**
    * Angle in degrees by which a contour turns at a corner. Smooth patches keep corners as creases
    * of the surface, where that fits the contours better than a smooth surface, and Smoothing keeps
    * them. Corners that noise may have made are none. Default 60, range 0 to 180 (no corners).
@@ -925,6 +940,7 @@ private:
   double ChordTolerance = 0.0;
   double Accuracy = 0.0;
   bool AutomaticAccuracy = false;
+  bool KeepContourVertices = false;
   double CornerAngle = 60.0;
   double Smoothing = 0.0;
   double ContourTolerance = 0.0;

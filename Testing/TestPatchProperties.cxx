@@ -109,6 +109,7 @@ TEST(PatchProperties, DefaultsAndRanges)
   EXPECT_EQ(filter->GetChordTolerance(), 0.0);
   EXPECT_EQ(filter->GetAccuracy(), 0.0);
   EXPECT_FALSE(filter->GetAutomaticAccuracy());
+  EXPECT_FALSE(filter->GetKeepContourVertices());
   EXPECT_EQ(filter->GetCornerAngle(), 60.0);
   EXPECT_EQ(filter->GetSmoothing(), 0.0);
   EXPECT_EQ(filter->GetContourTolerance(), 0.0);
@@ -139,6 +140,7 @@ TEST(PatchProperties, SettersChangeTheTimeAndAreAllPrinted)
     { "ChordTolerance: 0.125", [](Filter* f) { f->SetChordTolerance(0.125); } },
     { "Accuracy: 0.0625", [](Filter* f) { f->SetAccuracy(0.0625); } },
     { "AutomaticAccuracy: On", [](Filter* f) { f->AutomaticAccuracyOn(); } },
+    { "KeepContourVertices: On", [](Filter* f) { f->KeepContourVerticesOn(); } },
     { "CornerAngle: 45", [](Filter* f) { f->SetCornerAngle(45.0); } },
     { "Smoothing: 0.75", [](Filter* f) { f->SetSmoothing(0.75); } },
     { "ContourTolerance: 0.0625", [](Filter* f) { f->SetContourTolerance(0.0625); } },

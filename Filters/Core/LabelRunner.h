@@ -76,6 +76,7 @@ private:
   void AddPlanes(const VirtualPlanes& planes);
   SliceDensity Density() const;
   bool MakeEach();
+  bool MakeDense();
   bool MakeSparse(const SliceDensity& density);
   bool FinishSparse(const std::vector<LabelPass*>& passes);
   LabelPass& AddUnion();

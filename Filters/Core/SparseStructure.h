@@ -6,6 +6,9 @@
 #include "Core/Pass.h"
 #include "Core/Sparse/VirtualPlanes.h"
 
+#include <memory>
+#include <vector>
+
 namespace orthoslices
 {
 /**
@@ -30,8 +33,12 @@ public:
   /// Draws the virtual slices as they are after all slices have been made to agree, so that a
   /// second surface changes them no more: sets Virtual. False: stopped.
   bool Redraw();
-  /// The second surface, in the place of the first one in its pass. False: stopped.
-  bool Finish();
+  /// The second surface, up to the inside of its patches. False: stopped.
+  bool Connect();
+  /// The pass of which patches are to be filled then.
+  Pass& ToFill() { return this->Again ? *this->Again : this->First; }
+  /// Puts the second surface in the place of the first one in its pass.
+  void Finish();
 
   Contours Virtual; ///< of the planes, as MakeVirtualSlices draws them
 
@@ -42,6 +49,8 @@ private:
   Contours Drawn;              ///< as they are before the first pass
   std::vector<double> Centers; ///< the central points of the first surface before its sketch
   PriorKnowledge Known;        ///< what the second surface is to come out as
+  std::unique_ptr<Pass> Again; ///< of the second surface, if there is any
+  std::vector<Index> LeftOut;  ///< contours that take no part in it
 };
 }
 
