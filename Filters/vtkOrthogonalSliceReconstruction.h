@@ -61,8 +61,8 @@
  * @section Outputs Outputs
  * Port 0, the surface (vtkPolyData): triangles, oriented outwards. Where the slices agree, every
  * vertex of every contour that meets another family is a vertex of the surface (of the contours
- * that Smoothing and ContourTolerance leave); with Accuracy, the surface passes within that of
- * each. Points: first the node points, then the vertices of the arcs and of the isolated contours,
+ * that Smoothing and ContourTolerance leave); with Accuracy or AutomaticAccuracy, the surface
+ * passes within that of each, unless KeepContourVertices is on. Points: first the node points, then the vertices of the arcs and of the isolated contours,
  * then one for each spatial polygon (of fans the central point, else one of those inside its
  * patch), last the other points inside patches; with Accuracy, those of them that are left.
  *  - point data "Normals" (float, 3 components; active normals), if ComputeNormals or
@@ -81,7 +81,11 @@
  *    "NumberOfNodePoints", "NumberOfReconciledEdges", "NumberOfReconciledVertices",
  *    "NumberOfRepairs" (vtkIdType, one value each); on the shape of the triangles "SmallestAngle"
  *    (degrees), "ShareOfTrianglesAbove20Degrees" (all of whose angles are larger),
- *    "LargestAspectRatio" (longest side by the height over it) (double, one value each); only where
+ *    "LargestAspectRatio" (longest side by the height over it) (double, one value each); "Accuracy"
+ *    (double): how far contours may be from the surface, in plane spacings, 0 if they keep their
+ *    vertices; "NumberOfPointsEqualInFloat" (vtkIdType): points that would be the same as others
+ *    once rounded to float, as files in STL format are: what is written then is no closed manifold
+ *    there (OutputPointsPrecision set to single keeps points apart); only where
  *    the families do not lie across the axes of the world, "FamilyNormals" (double, 3 x 3), their
  *    unit normals. Points, normals and curvatures are those of the world in any frame; axes, planes
  *    and cells of M are those of the families, "PlaneCoordinate" a distance from the origin along
@@ -708,8 +712,8 @@ public:
    * about a seventh of the triangles at nearly the same accuracy. Contours do not keep their
    * vertices then, but the surface passes within this distance of them. Triangles are as large as
    * that allows; EdgeLength bounds them, in quarters of the mean radius of a patch, and
-   * ChordTolerance says nothing. For smooth patches of one structure; several labels, and contours
-   * that meet no other family, keep their vertices. Default 0: all contours do. Range 0 to 1.
+   * ChordTolerance says nothing. For smooth patches; on common borders of labels, triangles of both
+   * stay the same. Default 0: all contours keep their vertices. Range 0 to 1.
    */
   vtkSetClampMacro(Accuracy, double, 0.0, 1.0);
   vtkGetMacro(Accuracy, double);

@@ -147,6 +147,7 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
   add("NumberOfReconciledVertices", result.Reconciled.Vertices);
   add("NumberOfReconciledEdges", result.Reconciled.Edges);
   add("NumberOfRepairs", static_cast<vtkIdType>(result.Repairs.size()));
+  AddArray<vtkDoubleArray>(data, "Accuracy", 1, 1)->SetValue(0, result.Accuracy);
   if (!result.Frame.IsWorld())
   {
     auto* normals = AddArray<vtkDoubleArray>(data, "FamilyNormals", 3, 3);

@@ -276,6 +276,7 @@ bool FillCycles(const PatchOptions& options, Pass& pass)
   PatchOptions patching = options;
   FindNormals(patching, pass);
   patching.Accuracy = AccuracyOf(options, pass.Result);
+  pass.Result.Accuracy = options.KeepContours ? 0.0 : patching.Accuracy;
   LayOutPatches(patching, DrawOutlines(patching.Accuracy, pass), pass);
   ImproveIfLight(patching.Accuracy, pass);
   return pass.GoOn(0.8);
@@ -303,6 +304,7 @@ bool FillTogether(const PatchOptions& options, const std::vector<Pass*>& structu
   }
   for (std::size_t i = 0; i < structures.size(); ++i)
   {
+    structures[i]->Result.Accuracy = options.KeepContours ? 0.0 : patching.Accuracy;
     structures[i]->Finish(Stage::LightenArcs);
     LayOutPatches(patching, std::move(light[i]), *structures[i]);
     structures[i]->Finish(Stage::ImproveSurface);

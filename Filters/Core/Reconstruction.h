@@ -74,6 +74,9 @@ struct Reconstruction
   Index SmallComponents = 0; ///< left out
   SurfaceNormals Normals;    ///< of G; not for PatchMethod::Fan and Coons
   Patches Surface;
+  /// How far contours may be from the surface, in mean spacings of the planes across their slices;
+  /// 0 if they keep their vertices. See PatchOptions::Accuracy.
+  double Accuracy = 0.0;
 
   /// The report: what the slices disagreed on, and what was done about it.
   Reconciliation Reconciled;   ///< its repairs are moved to Repairs
