@@ -103,8 +103,8 @@
  * and tables are of the real slices alone, undecided places and histogram before virtual ones were
  * added.
  *
- * Port 1, the graph G and the repairs (vtkPolyData): one vertex cell for each node point, one for
- * each repair, then one polyline for each arc, then one closed polyline for each isolated contour
+ * Port 1, the graph G with all vertices of contours, also with few triangles, and the repairs
+ * (vtkPolyData): one vertex cell for each node point, one for each repair, then one polyline for each arc, then one closed polyline for each isolated contour
  * (a contour without node points). Cell data:
  *  - "Kind" (unsigned char): 0 node point, 1 arc, 2 isolated contour; repairs: 3 a slice was
  *    overruled on whether a vertex of M is inside, 4 two crossings that the other slice does not
@@ -722,8 +722,8 @@ public:
   ///@{
   /**
    * Whether the accuracy follows from the surface's own error, as the fit of smooth patches to
-   * contours and what slices disagree on tell it, in the place of Accuracy: as few triangles as add
-   * about a twentieth to that error. Off by default.
+   * contours and what slices disagree on tell it: as few triangles as add about a twentieth to that
+   * error. Where Accuracy or ChordTolerance are not 0, these say it. Off by default.
    */
   vtkSetMacro(AutomaticAccuracy, bool);
   vtkGetMacro(AutomaticAccuracy, bool);

@@ -210,7 +210,7 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.Patching.EdgeLength = this->EdgeLength;
   options.Patching.ChordTolerance = this->ChordTolerance;
   options.Patching.Accuracy = this->Accuracy;
-  options.Patching.OwnAccuracy = this->AutomaticAccuracy;
+  options.Patching.OwnAccuracy = this->AutomaticAccuracy && !(this->ChordTolerance > 0.0);
   options.Patching.KeepContours = this->KeepContourVertices;
   options.Patching.CornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
 }

@@ -46,9 +46,11 @@ PieceSets SlicesOf(const SmoothSolid& solid, int planes, int subdivisions = 6)
     solid, EqualPlanes(solid, { planes, planes, planes }), subdivisions, InPlaneGrid::Aligned);
 }
 
+/// With all triangles, unless the change wants few.
 vtkSmartPointer<vtkPolyData> Surface(const PieceSets& sets, const Change& change)
 {
   FilterRun run(sets);
+  run.Filter->AutomaticAccuracyOff();
   run.Filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   change(run.Filter);
   vtkSmartPointer<vtkPolyData> surface = run.Update();
@@ -353,6 +355,30 @@ TEST(PatchProperties, AutomaticAccuracyTakesASixthOfTheTriangles)
 }
 
 //----------------------------------------------------------------------------
+/// Contours keep their vertices, in the surface if asked for, in the graph in any case.
+TEST(PatchProperties, KeepContourVertices)
+{
+  const PieceSets sets = ReadPieceSets({ "aorta", 1, 0, true }, 16);
+  FilterRun all(sets), few(sets), kept(sets);
+  all.Filter->AutomaticAccuracyOff();
+  few.Filter->AutomaticAccuracyOn();
+  kept.Filter->AutomaticAccuracyOn();
+  kept.Filter->KeepContourVerticesOn();
+  for (FilterRun* run : { &all, &few, &kept })
+  {
+    run->Update();
+  }
+  const TriangleMesh graph = MeshOf(all.Filter->GetGraphOutput());
+  EXPECT_EQ(MeshOf(few.Filter->GetGraphOutput()).Points, graph.Points);
+  EXPECT_EQ(MeshOf(kept.Filter->GetGraphOutput()).Points, graph.Points);
+  const vtkIdType triangles = kept.Filter->GetOutput()->GetNumberOfCells();
+  EXPECT_LT(few.Filter->GetOutput()->GetNumberOfCells(), 0.4 * triangles);
+  EXPECT_LT(triangles, 0.8 * all.Filter->GetOutput()->GetNumberOfCells());
+  EXPECT_GT(QualityOf(few.Filter->GetOutput(), "Accuracy"), 0.0);
+  EXPECT_EQ(QualityOf(kept.Filter->GetOutput(), "Accuracy"), 0.0);
+}
+
+//----------------------------------------------------------------------------
 TEST(PatchProperties, CurvaturesOfATorusAreKnown)
 {
   const SmoothSolid solid = SmoothTorus(); // radii 0.62 and 0.27
@@ -392,6 +418,11 @@ TEST(PatchProperties, GuaranteesHoldForAllSettings)
     [](Filter* f) { f->SetAccuracy(0.025); },
     [](Filter* f) { f->SetAccuracy(0.2); },
     [](Filter* f) { f->AutomaticAccuracyOn(); },
+    [](Filter* f)
+    {
+      f->AutomaticAccuracyOn();
+      f->KeepContourVerticesOn();
+    },
     [](Filter* f)
     {
       f->SetSmoothing(1.0);

@@ -163,6 +163,7 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   const SurfaceArrayOptions& arrays, double reportTolerance, vtkPolyData* surface)
 {
   Reconstruction result = std::move(consumed);
+  result.Drawn = {};
   const bool withNormals = arrays.Normals || arrays.Curvatures;
   const Index graphPoints = result.Graph.Count();
   const vtkIdType allCenters = vtkIdType(graphPoints) + result.Cycles.Count();

@@ -186,13 +186,13 @@ double DisagreementOf(const Reconstruction& result)
 /// triangles.
 double AccuracyOf(const PatchOptions& patching, const Reconstruction& result)
 {
-  if (!NeedsNormals(patching.Method) || !(patching.OwnAccuracy || patching.Accuracy > 0.0))
+  if (!GivesNormals(patching.Method) || !(patching.OwnAccuracy || patching.Accuracy > 0.0))
   {
     return 0.0;
   }
   const double spacing = MinMeanSpacing(result.Grid);
   double accuracy = patching.Accuracy;
-  if (patching.OwnAccuracy)
+  if (!(accuracy > 0.0))
   {
     const CycleGeometry geometry = GeometryOf(result);
     const double error = FitError({ geometry, result.Cells, result.Normals,
@@ -242,7 +242,8 @@ void LayOutPatches(const PatchOptions& patching, LightGraph&& light, Pass& pass)
     patching, pass.Execute);
   if (light.Any())
   {
-    std::swap(result.Graph, light.Graph);
+    result.Drawn = std::move(result.Graph);
+    result.Graph = std::move(light.Graph);
     result.Nodes.Position.swap(light.Positions);
     std::swap(result.Normals, light.Normals);
   }

@@ -63,7 +63,7 @@ struct PatchOptions
    * PatchMethod::Smooth.
    */
   double Accuracy = 0.0;
-  /// Accuracy follows from the error of the surface, as FitError estimates it.
+  /// If Accuracy is 0, it follows from the error of the surface, as FitError estimates it.
   bool OwnAccuracy = false;
   /// With few triangles, contours keep their vertices all the same.
   bool KeepContours = false;
