@@ -68,8 +68,8 @@
  * @section Outputs Outputs
  * Port 0, the surface (vtkPolyData): triangles, oriented outwards. Where the slices agree, every
  * vertex of every contour that meets another family is a vertex of the surface (of the contours
- * that Smoothing and ContourTolerance leave); with Accuracy, the surface passes within that of
- * each. Points: first the node points, then the vertices of the arcs and of the isolated contours,
+ * that Smoothing and ContourTolerance leave); with Accuracy or AutomaticAccuracy, the surface
+ * passes within that of each, unless KeepContourVertices is on. Points: first the node points, then the vertices of the arcs and of the isolated contours,
  * then one for each spatial polygon (of fans the central point, else one of those inside its
  * patch), last the other points inside patches; with Accuracy, those of them that are left.
  *  - point data "Normals" (float, 3 components; active normals), if ComputeNormals or
@@ -88,7 +88,11 @@
  *    "NumberOfNodePoints", "NumberOfReconciledEdges", "NumberOfReconciledVertices",
  *    "NumberOfRepairs" (vtkIdType, one value each); on the shape of the triangles "SmallestAngle"
  *    (degrees), "ShareOfTrianglesAbove20Degrees" (all of whose angles are larger),
- *    "LargestAspectRatio" (longest side by the height over it) (double, one value each); only where
+ *    "LargestAspectRatio" (longest side by the height over it) (double, one value each); "Accuracy"
+ *    (double): how far contours may be from the surface, in plane spacings, 0 if they keep their
+ *    vertices; "NumberOfPointsEqualInFloat" (vtkIdType): points that would be the same as others
+ *    once rounded to float, as files in STL format are: what is written then is no closed manifold
+ *    there (OutputPointsPrecision set to single keeps points apart); only where
  *    the families do not lie across the axes of the world, "FamilyNormals" (double, 3 x 3), their
  *    unit normals. Points, normals and curvatures are those of the world in any frame; axes, planes
  *    and cells of M are those of the families, "PlaneCoordinate" a distance from the origin along
@@ -106,8 +110,8 @@
  * and tables are of the real slices alone, undecided places and histogram before virtual ones were
  * added.
  *
- * Port 1, the graph G and the repairs (vtkPolyData): one vertex cell for each node point, one for
- * each repair, then one polyline for each arc, then one closed polyline for each isolated contour
+ * Port 1, the graph G with all vertices of contours, also with few triangles, and the repairs
+ * (vtkPolyData): one vertex cell for each node point, one for each repair, then one polyline for each arc, then one closed polyline for each isolated contour
  * (a contour without node points). Cell data:
  *  - "Kind" (unsigned char): 0 node point, 1 arc, 2 isolated contour; repairs: 3 a slice was
  *    overruled on whether a vertex of M is inside, 4 two crossings that the other slice does not
@@ -172,8 +176,11 @@
  * "Volume" (double, world units), exact for the triangles: the volume is positive for an outer
  * surface and negative for that of a cavity, which is a component of its own, so that volumes add
  * up to that of the body; "CentroidX", "CentroidY", "CentroidZ" (double): of the solid that the
- * component encloses; "Triangles" (vtkIdType). A component that is open has the volume NaN and the
- * centroid of its surface.
+ * component encloses; "Triangles" (vtkIdType); "SeedX", "SeedY", "SeedZ" (double): a point in the
+ * region that the component encloses, right beside it, for mesh generators: of a body one in its
+ * material, of a cavity one in the hole. A component that is open has the volume NaN, the
+ * centroid of its surface, and perhaps no seed (NaN). With labels, other labels within one are
+ * passed over.
  *
  * @section Labels Labels
  * With LabelArray, each label is reconstructed from its contours, with common axes of the slices,
@@ -712,8 +719,8 @@ public:
    * about a seventh of the triangles at nearly the same accuracy. Contours do not keep their
    * vertices then, but the surface passes within this distance of them. Triangles are as large as
    * that allows; EdgeLength bounds them, in quarters of the mean radius of a patch, and
-   * ChordTolerance says nothing. For smooth patches of one structure; several labels, and contours
-   * that meet no other family, keep their vertices. Default 0: all contours do. Range 0 to 1.
+   * ChordTolerance says nothing. For smooth patches; on common borders of labels, triangles of both
+   * stay the same. Default 0: all contours keep their vertices. Range 0 to 1.
    */
   vtkSetClampMacro(Accuracy, double, 0.0, 1.0);
   vtkGetMacro(Accuracy, double);
@@ -722,12 +729,24 @@ public:
   ///@{
   /**
    * Whether the accuracy follows from the surface's own error, as the fit of smooth patches to
-   * contours and what slices disagree on tell it, in the place of Accuracy: as few triangles as add
-   * about a twentieth to that error. Off by default.
+   * contours and what slices disagree on tell it: as few triangles as add about a twentieth to that
+   * error. Where Accuracy or ChordTolerance are not 0, these say it. Off by default.
    */
   vtkSetMacro(AutomaticAccuracy, bool);
   vtkGetMacro(AutomaticAccuracy, bool);
   vtkBooleanMacro(AutomaticAccuracy, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether contours keep all of their vertices also with few triangles (Accuracy,
+   * AutomaticAccuracy): then triangles inside patches are few, and those along contours as many as
+   * these have vertices. Off by default: the surface passes within the accuracy of every contour.
+   * Without Accuracy and AutomaticAccuracy all contours keep their vertices in any case.
+   */
+  vtkSetMacro(KeepContourVertices, bool);
+  vtkGetMacro(KeepContourVertices, bool);
+  vtkBooleanMacro(KeepContourVertices, bool);
   ///@}
 
   ///@{
@@ -934,6 +953,7 @@ private:
   double ChordTolerance = 0.0;
   double Accuracy = 0.0;
   bool AutomaticAccuracy = false;
+  bool KeepContourVertices = false;
   double CornerAngle = 60.0;
   double Smoothing = 0.0;
   double ContourTolerance = 0.0;

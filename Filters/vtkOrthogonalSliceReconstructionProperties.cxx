@@ -210,7 +210,8 @@ void vtkOrthogonalSliceReconstruction::GetOptions(orthoslices::Options& options)
   options.Patching.EdgeLength = this->EdgeLength;
   options.Patching.ChordTolerance = this->ChordTolerance;
   options.Patching.Accuracy = this->Accuracy;
-  options.Patching.OwnAccuracy = this->AutomaticAccuracy;
+  options.Patching.OwnAccuracy = this->AutomaticAccuracy && !(this->ChordTolerance > 0.0);
+  options.Patching.KeepContours = this->KeepContourVertices;
   options.Patching.CornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
 }
 
@@ -255,6 +256,7 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ChordTolerance: " << this->ChordTolerance << "\n";
   os << indent << "Accuracy: " << this->Accuracy << "\n";
   os << indent << "AutomaticAccuracy: " << (this->AutomaticAccuracy ? "On" : "Off") << "\n";
+  os << indent << "KeepContourVertices: " << (this->KeepContourVertices ? "On" : "Off") << "\n";
   os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "Smoothing: " << this->Smoothing << "\n";
   os << indent << "ContourTolerance: " << this->ContourTolerance << "\n";

@@ -13,6 +13,7 @@
 #include "Support/CheckEmbedding.h"
 #include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
+#include "Support/NearestTriangle.h"
 #include "Support/Perturbations.h"
 #include "Support/RandomInput.h"
 #include "Support/ReconstructionMesh.h"
@@ -232,30 +233,128 @@ bool HasRedrawnFaces(const Reconstruction& result)
 }
 }
 
+namespace
+{
+/// The number of vertices of contours, all of which have to be there; 0 if that cannot be said.
+std::int64_t ExpectVertices(const Input& input)
+{
+  const Result result(input);
+  if (HasRedrawnFaces(result.Core))
+  {
+    return 0; // contours that cross lose vertices in these faces
+  }
+  SpatialGrid grid;
+  const Contours contours = UsableContours(input.Sets, input.Settings, grid);
+  // Vertices move with their node points: not at all where slices agree.
+  const double maximum =
+    0.5 * GreatestDisagreement(result.Core) + 1.001 * GreatestMargin(result.Core.Grid);
+  const std::size_t missing = FindMissingVertices(contours, AllPoints(result), maximum).size();
+  // Loops of one or two vertices go when the reconciliation snips a pair of crossings.
+  EXPECT_LE(missing, 2 * CountSnipped(result.Core));
+  EXPECT_TRUE(!input.Exact || missing == 0) << missing;
+  return static_cast<std::int64_t>(contours.U.size());
+}
+
+/// With as few triangles as the surface's own error allows.
+Input Light(Input input, bool keepContours)
+{
+  input.Settings.Patching.OwnAccuracy = true;
+  input.Settings.Patching.KeepContours = keepContours;
+  return input;
+}
+
+/// The surface passes within the accuracy, in spacings of the planes across each slice, of every
+/// vertex of every contour, but for what contradictions move. Returns their number.
+std::int64_t ExpectWithinAccuracy(const Input& input)
+{
+  const Result result(input);
+  if (HasRedrawnFaces(result.Core) || CountSnipped(result.Core) > 0)
+  {
+    return 0; // what was cut off is not there
+  }
+  std::vector<NearestTriangle::Triangle> triangles;
+  for (const auto& [a, b, c] : result.Mesh.Triangles)
+  {
+    triangles.push_back({ result.Mesh.Points[a], result.Mesh.Points[b], result.Mesh.Points[c] });
+  }
+  if (triangles.empty() || result.Core.Isolated.Count() > 0)
+  {
+    return 0; // which may be left out
+  }
+  const NearestTriangle surface(std::move(triangles));
+  SpatialGrid grid;
+  const Contours contours = UsableContours(input.Sets, input.Settings, grid);
+  const double moved =
+    0.5 * GreatestDisagreement(result.Core) + 1.001 * GreatestMargin(result.Core.Grid);
+  double farthest = 0.0;
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    const double spacing = MeanSpacingInSlices(grid, contours.Axis[contour]);
+    for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
+    {
+      const double distance = surface.Find(contours.World(contour, i)).Distance;
+      farthest = std::max(farthest, (distance - moved) / spacing);
+    }
+  }
+  EXPECT_GT(result.Core.Accuracy, 0.0);
+  EXPECT_LE(farthest, result.Core.Accuracy);
+  return static_cast<std::int64_t>(contours.U.size());
+}
+}
+
 TEST(Guarantees, G4ContourVerticesAreKept)
 {
   std::int64_t vertices = 0;
-  VisitAll(
-    [&](const Input& input)
-    {
-      const Result result(input);
-      if (HasRedrawnFaces(result.Core))
-      {
-        return; // contours that cross lose vertices in these faces
-      }
-      SpatialGrid grid;
-      const Contours contours = UsableContours(input.Sets, input.Settings, grid);
-      vertices += static_cast<std::int64_t>(contours.U.size());
-      // Vertices move with their node points: not at all where slices agree.
-      const double maximum =
-        0.5 * GreatestDisagreement(result.Core) + 1.001 * GreatestMargin(result.Core.Grid);
-      const std::size_t missing = FindMissingVertices(contours, AllPoints(result), maximum).size();
-      // Loops of one or two vertices go when the reconciliation snips a pair of crossings.
-      EXPECT_LE(missing, 2 * CountSnipped(result.Core));
-      EXPECT_TRUE(!input.Exact || missing == 0) << missing;
-    });
+  VisitAll([&](const Input& input) { vertices += ExpectVertices(input); });
   EXPECT_GT(vertices, 100000);
 }
+
+//----------------------------------------------------------------------------
+TEST(Guarantees, G4ContourVerticesAreKeptWithFewTrianglesIfAskedFor)
+{
+  std::int64_t vertices = 0;
+  const auto check = [&](const Input& input) { vertices += ExpectVertices(Light(input, true)); };
+  VisitData(check);
+  VisitConsistent(check);
+  EXPECT_GT(vertices, 100000);
+}
+
+//----------------------------------------------------------------------------
+TEST(Guarantees, G4WithFewTrianglesTheSurfacePassesWithinTheAccuracyOfEveryContour)
+{
+  std::int64_t vertices = 0;
+  const auto check = [&](const Input& input)
+  { vertices += ExpectWithinAccuracy(Light(input, false)); };
+  VisitData(check);
+  VisitConsistent(check);
+  EXPECT_GT(vertices, 100000);
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+void ExpectClosedAndEmbedded(const Input& input)
+{
+  const TriangleMesh mesh = Result(input).Mesh;
+  const SurfaceCheck surface = CheckSurface(mesh);
+  EXPECT_TRUE(surface.IsClosedManifold()) << surface;
+  EXPECT_TRUE(FindMeetings(mesh).empty());
+}
+
+void CheckFewTriangles(bool keepContours)
+{
+  const auto check = [&](const Input& input)
+  { ExpectClosedAndEmbedded(Light(input, keepContours)); };
+  VisitData(check);
+  VisitRandom(RandomConsistentInput, check);
+  VisitRandom(RandomContradictoryInput, check);
+  VisitRandom(RandomSparseInput, check);
+}
+}
+
+TEST(Guarantees, G1ToG3AndG6HoldWithFewTriangles) { CheckFewTriangles(false); }
+
+TEST(Guarantees, G1ToG3AndG6HoldWithFewTrianglesThatKeepContours) { CheckFewTriangles(true); }
 
 //----------------------------------------------------------------------------
 /// Cuts of one surface agree to a millionth of a slab: every vertex is there to the last bit.

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <string>
@@ -91,6 +92,7 @@ struct Borders
     this->Crossings = CountLabelCrossings(mesh, labels);
     const LabelVolumes volumes = MeasureLabels(mesh, labels);
     this->Count = volumes.OfLabel.size();
+    this->Triangles = static_cast<double>(mesh.Triangles.size());
     this->Volume = std::accumulate(volumes.OfLabel.begin(), volumes.OfLabel.end(), 0.0);
     this->Overlap = volumes.Overlap / this->Volume;
     this->Gap = volumes.Gap / this->Volume;
@@ -99,12 +101,13 @@ struct Borders
   SurfaceCheck Check;
   std::int64_t Crossings;
   std::size_t Count;
-  double Volume, Overlap, Gap;
+  double Volume, Overlap, Gap, Triangles;
 };
 
 /// An image, cut into so many slices on each axis, 0 for none, and reconstructed.
 Borders Reconstruct(const LabelImage& image, const std::array<int, 3>& slices,
-  std::vector<std::string>* warnings = nullptr)
+  std::vector<std::string>* warnings = nullptr,
+  const std::function<void(vtkOrthogonalSliceReconstruction*)>& change = {})
 {
   vtkNew<vtkOrthogonalSlicer> slicer;
   slicer->SetInputData(ToVtk(image));
@@ -119,6 +122,10 @@ Borders Reconstruct(const LabelImage& image, const std::array<int, 3>& slices,
     }
   }
   run.Filter->SetLabelArray("Label");
+  if (change)
+  {
+    change(run.Filter);
+  }
   vtkPolyData* surface = run.Update();
   EXPECT_TRUE(run.Errors.empty());
   if (warnings != nullptr)
@@ -175,6 +182,37 @@ TEST(LabelBorders, DoNotCrossInOtherSparseSlices)
     EXPECT_EQ(borders.Crossings, 0);
     EXPECT_LT(borders.Overlap, 1e-4);
     EXPECT_LT(borders.Gap, 0.002);
+  }
+}
+
+/// Few triangles are the same on common borders as many are, and leave no more out.
+TEST(LabelBorders, DoNotCrossWithFewTriangles)
+{
+  const std::pair<LabelImage, std::array<int, 3>> cases[] = {
+    { DivideBall(Three()), { 16, 16, 16 } }, { DivideBall(Five()), { 16, 16, 0 } },
+    { MakeLabelImage(LabelKind::Wavy, 8, 1), { 16, 16, 16 } },
+    { MakeLabelImage(LabelKind::Nested, 8, 1), { 0, 0, 16 } },
+    { MakeLabelImage(LabelKind::Layers, 3, 1), { 16, 16, 16 } }
+  };
+  for (const auto& [image, slices] : cases)
+  {
+    const Borders all = Reconstruct(image, slices);
+    for (const bool keepsVertices : { false, true })
+    {
+      const Borders few = Reconstruct(image, slices, nullptr,
+        [&](vtkOrthogonalSliceReconstruction* filter)
+        {
+          filter->AutomaticAccuracyOn();
+          filter->SetKeepContourVertices(keepsVertices);
+        });
+      EXPECT_TRUE(few.Check.IsClosedManifold()) << few.Check;
+      EXPECT_EQ(few.Count, all.Count);
+      EXPECT_EQ(few.Crossings, 0);
+      EXPECT_LT(few.Overlap, 1e-4);
+      EXPECT_LT(few.Gap, all.Gap + 0.0005);
+      EXPECT_NEAR(few.Volume, all.Volume, 0.003 * all.Volume);
+      EXPECT_LT(few.Triangles, (keepsVertices ? 0.85 : 0.65) * all.Triangles);
+    }
   }
 }
 

@@ -46,9 +46,11 @@ PieceSets SlicesOf(const SmoothSolid& solid, int planes, int subdivisions = 6)
     solid, EqualPlanes(solid, { planes, planes, planes }), subdivisions, InPlaneGrid::Aligned);
 }
 
+/// With all triangles, unless the change wants few.
 vtkSmartPointer<vtkPolyData> Surface(const PieceSets& sets, const Change& change)
 {
   FilterRun run(sets);
+  run.Filter->AutomaticAccuracyOff();
   run.Filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   change(run.Filter);
   vtkSmartPointer<vtkPolyData> surface = run.Update();
@@ -109,6 +111,7 @@ TEST(PatchProperties, DefaultsAndRanges)
   EXPECT_EQ(filter->GetChordTolerance(), 0.0);
   EXPECT_EQ(filter->GetAccuracy(), 0.0);
   EXPECT_FALSE(filter->GetAutomaticAccuracy());
+  EXPECT_FALSE(filter->GetKeepContourVertices());
   EXPECT_EQ(filter->GetCornerAngle(), 60.0);
   EXPECT_EQ(filter->GetSmoothing(), 0.0);
   EXPECT_EQ(filter->GetContourTolerance(), 0.0);
@@ -139,6 +142,7 @@ TEST(PatchProperties, SettersChangeTheTimeAndAreAllPrinted)
     { "ChordTolerance: 0.125", [](Filter* f) { f->SetChordTolerance(0.125); } },
     { "Accuracy: 0.0625", [](Filter* f) { f->SetAccuracy(0.0625); } },
     { "AutomaticAccuracy: On", [](Filter* f) { f->AutomaticAccuracyOn(); } },
+    { "KeepContourVertices: On", [](Filter* f) { f->KeepContourVerticesOn(); } },
     { "CornerAngle: 45", [](Filter* f) { f->SetCornerAngle(45.0); } },
     { "Smoothing: 0.75", [](Filter* f) { f->SetSmoothing(0.75); } },
     { "ContourTolerance: 0.0625", [](Filter* f) { f->SetContourTolerance(0.0625); } },
@@ -351,6 +355,30 @@ TEST(PatchProperties, AutomaticAccuracyTakesASixthOfTheTriangles)
 }
 
 //----------------------------------------------------------------------------
+/// Contours keep their vertices, in the surface if asked for, in the graph in any case.
+TEST(PatchProperties, KeepContourVertices)
+{
+  const PieceSets sets = ReadPieceSets({ "aorta", 1, 0, true }, 16);
+  FilterRun all(sets), few(sets), kept(sets);
+  all.Filter->AutomaticAccuracyOff();
+  few.Filter->AutomaticAccuracyOn();
+  kept.Filter->AutomaticAccuracyOn();
+  kept.Filter->KeepContourVerticesOn();
+  for (FilterRun* run : { &all, &few, &kept })
+  {
+    run->Update();
+  }
+  const TriangleMesh graph = MeshOf(all.Filter->GetGraphOutput());
+  EXPECT_EQ(MeshOf(few.Filter->GetGraphOutput()).Points, graph.Points);
+  EXPECT_EQ(MeshOf(kept.Filter->GetGraphOutput()).Points, graph.Points);
+  const vtkIdType triangles = kept.Filter->GetOutput()->GetNumberOfCells();
+  EXPECT_LT(few.Filter->GetOutput()->GetNumberOfCells(), 0.4 * triangles);
+  EXPECT_LT(triangles, 0.8 * all.Filter->GetOutput()->GetNumberOfCells());
+  EXPECT_GT(QualityOf(few.Filter->GetOutput(), "Accuracy"), 0.0);
+  EXPECT_EQ(QualityOf(kept.Filter->GetOutput(), "Accuracy"), 0.0);
+}
+
+//----------------------------------------------------------------------------
 TEST(PatchProperties, CurvaturesOfATorusAreKnown)
 {
   const SmoothSolid solid = SmoothTorus(); // radii 0.62 and 0.27
@@ -390,6 +418,11 @@ TEST(PatchProperties, GuaranteesHoldForAllSettings)
     [](Filter* f) { f->SetAccuracy(0.025); },
     [](Filter* f) { f->SetAccuracy(0.2); },
     [](Filter* f) { f->AutomaticAccuracyOn(); },
+    [](Filter* f)
+    {
+      f->AutomaticAccuracyOn();
+      f->KeepContourVerticesOn();
+    },
     [](Filter* f)
     {
       f->SetSmoothing(1.0);

@@ -75,8 +75,8 @@ with_plain_vtk()
 test_all()
 {
   # clang with its runtime libraries, among them libFuzzer; what packages for Debian and for Python are
-  # made with, and the reference.
-  install_dependencies clang libclang-rt-14-dev dpkg-dev file python3-venv doxygen
+  # made with, and the reference; and mesh generators that are to fill the surfaces.
+  install_dependencies clang libclang-rt-14-dev dpkg-dev file python3-venv doxygen tetgen gmsh
   configure_folder build/core -DORTHOGONAL_SLICES_CORE_ONLY=ON
   # What needs one processor goes beside the compilation of the core.
   prepare_others > build/prepare.log 2>&1 &

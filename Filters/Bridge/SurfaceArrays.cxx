@@ -4,12 +4,14 @@
 
 #include "Bridge/ExecuteWithVtk.h"
 #include "Bridge/VisitTriangles.h"
+#include "Core/Surface/EqualPoints.h"
 #include "Core/Surface/PointNormals.h"
 #include "Core/Surface/TriangleMeasures.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -76,5 +78,11 @@ void AddQuality(vtkPolyData* surface, const Execution& execution)
   add("SmallestAngle", quality.SmallestAngle);
   add("ShareOfTrianglesAbove20Degrees", quality.ShareAbove20Degrees);
   add("LargestAspectRatio", quality.LargestAspectRatio);
+  vtkNew<vtkIdTypeArray> same;
+  same->SetName("NumberOfPointsEqualInFloat");
+  VisitTriangles(surface,
+    [&](const auto* xyz, const auto*, vtkIdType)
+    { same->InsertNextValue(CountEqualInFloat(xyz, surface->GetNumberOfPoints())); });
+  surface->GetFieldData()->AddArray(same);
 }
 }

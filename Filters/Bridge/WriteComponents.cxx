@@ -4,7 +4,7 @@
 
 #include "Bridge/AddColumn.h"
 #include "Bridge/VisitTriangles.h"
-#include "Core/Surface/MeasureComponents.h"
+#include "Core/Surface/ComponentSeeds.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -20,17 +20,20 @@ void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, vtkTable* table)
   auto* number =
     vtkIdTypeArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray("NumberOfComponents"));
   std::vector<ComponentMeasure> measures;
+  std::vector<Point3> seeds;
   VisitTriangles(surface,
     [&](const auto* xyz, const auto* triangles, vtkIdType count)
     {
       measures = MeasureComponents(xyz, triangles, count, ids->GetPointer(0),
         static_cast<int>(number->GetValue(0)), mayBeOpen);
+      seeds = FindSeeds(xyz, triangles, count, ids->GetPointer(0), measures);
     });
   auto* component = AddColumn<vtkIntArray>(table, "ComponentId");
   auto* area = AddColumn<vtkDoubleArray>(table, "Area");
   auto* volume = AddColumn<vtkDoubleArray>(table, "Volume");
   PointColumns centroid(table, { "CentroidX", "CentroidY", "CentroidZ" });
   auto* triangles = AddColumn<vtkIdTypeArray>(table, "Triangles");
+  PointColumns seed(table, { "SeedX", "SeedY", "SeedZ" });
   for (std::size_t i = 0; i < measures.size(); ++i)
   {
     component->InsertNextValue(static_cast<int>(i));
@@ -38,6 +41,7 @@ void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, vtkTable* table)
     volume->InsertNextValue(measures[i].Volume);
     centroid.InsertNext(measures[i].Centroid);
     triangles->InsertNextValue(measures[i].Triangles);
+    seed.InsertNext(seeds[i]);
   }
 }
 }

@@ -8,7 +8,7 @@ class vtkTable;
 
 namespace orthoslices
 {
-/// Port 7: area, volume and centroid of each component of the finished surface, which is closed
+/// Port 7: area, volume, centroid and seed of each component of the finished surface, which is closed
 /// unless it `mayBeOpen`.
 /// REQUIRES: cell data "ComponentId" and field data "NumberOfComponents".
 void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, vtkTable* table);

@@ -57,6 +57,7 @@ private:
   double SumLength(const std::vector<vtkIdType>& ids) const;
 
   const Reconstruction& Result;
+  const NodeGraph& Drawn; ///< with all vertices of contours
   vtkPolyData* Graph;
   GridEdgeCode Code;
   std::vector<vtkIdType> Ids; ///< points of the line that is being written
@@ -69,6 +70,7 @@ private:
 
 GraphWriter::GraphWriter(const Reconstruction& result, vtkPolyData* graph)
   : Result(result)
+  , Drawn(DrawnGraph(result))
   , Graph(graph)
   , Code(result.Grid)
 {
@@ -79,7 +81,7 @@ GraphWriter::GraphWriter(const Reconstruction& result, vtkPolyData* graph)
   this->Length->SetName("Length");
   this->ComponentId->SetName("ComponentId");
   this->RepairSize->SetName("RepairSize");
-  const vtkIdType cells = vtkIdType(result.Graph.Nodes) + result.Crossings.Count() +
+  const vtkIdType cells = vtkIdType(this->Drawn.Nodes) + result.Crossings.Count() +
     result.Isolated.Count() + static_cast<vtkIdType>(result.Repairs.size());
   vtkDataArray* arrays[] = { this->Kind, this->Disagreement, this->SliceAxis, this->SlicePlane,
     this->Length, this->ComponentId, this->RepairSize };
@@ -94,13 +96,13 @@ GraphWriter::GraphWriter(const Reconstruction& result, vtkPolyData* graph)
     this->Virtual->Allocate(cells);
     graph->GetCellData()->AddArray(this->Virtual);
   }
-  const vtkIdType ids = vtkIdType(result.Graph.Count()) + 2 * vtkIdType(result.Crossings.Count());
+  const vtkIdType ids = vtkIdType(this->Drawn.Count()) + 2 * vtkIdType(result.Crossings.Count());
   if (ids < std::numeric_limits<std::int32_t>::max())
   {
     this->Verts->Use32BitStorage();
     this->Lines->Use32BitStorage();
   }
-  const vtkIdType verts = result.Graph.Nodes + static_cast<vtkIdType>(result.Repairs.size());
+  const vtkIdType verts = this->Drawn.Nodes + static_cast<vtkIdType>(result.Repairs.size());
   this->Verts->AllocateExact(verts, verts);
   this->Lines->AllocateExact(result.Crossings.Count() + result.Isolated.Count(),
     ids + result.Isolated.Count() + static_cast<vtkIdType>(result.Isolated.Points.size() / 3));
@@ -125,14 +127,14 @@ void GraphWriter::AddRow(const Row& row)
 
 void GraphWriter::AddNodes()
 {
-  for (vtkIdType node = 0; node < this->Result.Graph.Nodes; ++node)
+  for (vtkIdType node = 0; node < this->Drawn.Nodes; ++node)
   {
     this->Verts->InsertNextCell(1, &node);
     const Index index = static_cast<Index>(node);
     const double disagreement = this->Result.Nodes.Disagreement(index);
     const GridEdge edge =
       this->Code.Decode(this->Result.Crossings.Edge[this->Result.Nodes.First[index]]);
-    this->AddRow({ NodeKind, disagreement, -1, -1, 0.0, this->Result.Graph.Component[index], 0.0,
+    this->AddRow({ NodeKind, disagreement, -1, -1, 0.0, this->Drawn.Component[index], 0.0,
       !AreReal(this->Result.Grid, edge) });
   }
 }
@@ -166,7 +168,7 @@ double GraphWriter::SumLength(const std::vector<vtkIdType>& ids) const
 /// The points of an arc, from node point to node point.
 void GraphWriter::ListIds(Index arc, std::vector<vtkIdType>& ids) const
 {
-  const NodeGraph& graph = this->Result.Graph;
+  const NodeGraph& graph = this->Drawn;
   ids.assign(1, this->Result.Nodes.NodeOf[arc]);
   for (Index i = 0; i < graph.PointCount(arc); ++i)
   {
@@ -224,18 +226,17 @@ void GraphWriter::AddIsolated()
     this->Ids.clear();
     for (Index p = isolated.Offsets[i]; p < isolated.Offsets[i + 1]; ++p)
     {
-      this->Ids.push_back(vtkIdType(this->Result.Graph.Count()) + p);
+      this->Ids.push_back(vtkIdType(this->Drawn.Count()) + p);
     }
     this->Ids.push_back(this->Ids.front());
     const vtkIdType count = static_cast<vtkIdType>(this->Ids.size());
     this->Lines->InsertNextCell(count, this->Ids.data());
     const Index loop = isolated.Loop[i];
-    const int component = loop == IsolatedContours::None
-      ? -1
-      : this->Result.Graph.Component[this->Result.Graph.Nodes + loop];
-    this->AddRow(
-      { IsolatedKind, 0.0, isolated.Axis[i], isolated.Plane[i], this->SumLength(this->Ids),
-        component, 0.0, this->Result.Grid.IsVirtual(isolated.Axis[i], isolated.Plane[i]) });
+    const int component =
+      loop == IsolatedContours::None ? -1 : this->Drawn.Component[this->Drawn.Nodes + loop];
+    this->AddRow({ IsolatedKind, 0.0, isolated.Axis[i], isolated.Plane[i],
+      this->SumLength(this->Ids), component, 0.0,
+      this->Result.Grid.IsVirtual(isolated.Axis[i], isolated.Plane[i]) });
   }
 }
 }
@@ -248,9 +249,10 @@ void WriteGraph(const Reconstruction& result, const Execution& execution, bool d
   {
     others.insert(others.end(), repair.Where.begin(), repair.Where.end());
   }
-  const vtkIdType graphPoints = result.Graph.Count();
+  const NodeGraph& drawn = DrawnGraph(result);
+  const vtkIdType graphPoints = drawn.Count();
   auto points = NewPoints(doublePrecision, graphPoints + static_cast<vtkIdType>(others.size() / 3));
-  CopyPoints(result.Graph.Points, 0, execution, points);
+  CopyPoints(drawn.Points, 0, execution, points);
   CopyPoints(others, graphPoints, execution, points);
   graph->SetPoints(points);
   GraphWriter writer(result, graph);

@@ -165,6 +165,7 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
   add("NumberOfReconciledVertices", result.Reconciled.Vertices);
   add("NumberOfReconciledEdges", result.Reconciled.Edges);
   add("NumberOfRepairs", static_cast<vtkIdType>(result.Repairs.size()));
+  AddArray<vtkDoubleArray>(data, "Accuracy", 1, 1)->SetValue(0, result.Accuracy);
   if (!result.Frame.IsWorld())
   {
     auto* normals = AddArray<vtkDoubleArray>(data, "FamilyNormals", 3, 3);
@@ -270,6 +271,7 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
 {
   // Each table is released as soon as nothing is left to be made from it.
   Reconstruction result = std::move(consumed);
+  result.Drawn = {};
   Patches& patches = result.Surface;
   const bool isImproved = patches.Improved.Any();
   GiveBackMemory(result);

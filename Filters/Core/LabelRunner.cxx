@@ -3,7 +3,9 @@
 #include "Core/LabelRunner.h"
 
 #include "Core/Base/EditContours.h"
+#include "Core/MakeSurface.h"
 #include "Core/ReadSlices.h"
+#include "Core/Reconstruct.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,8 +52,6 @@ LabelRunner::LabelRunner(
   , Execute(execution)
 {
   this->Settings.Patching.Shared = &this->Shared;
-  this->Settings.Patching.Accuracy = 0.0; // on common borders, triangles of all are the same
-  this->Settings.Patching.OwnAccuracy = false;
   this->Settings.Junctions = &this->Junctions;
   for (const SortedSlices& label : labels)
   {
@@ -210,6 +210,29 @@ bool LabelRunner::MakeEach()
   return true;
 }
 
+/// All labels together, whose slices are dense.
+bool LabelRunner::MakeDense()
+{
+  std::vector<Pass*> toFill;
+  for (std::size_t i = 0; i < this->Passes.size(); ++i)
+  {
+    LabelPass& pass = this->Passes[i];
+    pass.SetProgress(ProgressOfReading, 1.0, i, this->Passes.size());
+    if (pass.IsRead)
+    {
+      pass.Stages.SetOtherPlanes(this->Planes);
+      pass.Stages.BuildGrid();
+      pass.Stages.Settings.Virtual = VirtualSlices::Off;
+      if (!ConnectDense(pass.Stages))
+      {
+        return false;
+      }
+      toFill.push_back(&pass.Stages);
+    }
+  }
+  return FillTogether(this->Settings.Patching, toFill);
+}
+
 void LabelRunner::SettleCells()
 {
   std::vector<StructureSurface> structures;
@@ -249,25 +272,9 @@ bool LabelRunner::Run()
     return false;
   }
   const SliceDensity density = this->Density();
-  if (density.IsSparse() && !this->MakeSparse(density))
+  if (!(density.IsSparse() ? this->MakeSparse(density) : this->MakeDense()))
   {
     return false;
-  }
-  if (!density.IsSparse())
-  {
-    for (LabelPass& pass : this->Passes)
-    {
-      if (pass.IsRead)
-      {
-        pass.Stages.SetOtherPlanes(this->Planes);
-        pass.Stages.BuildGrid();
-        pass.Stages.Settings.Virtual = VirtualSlices::Off;
-      }
-    }
-    if (!this->MakeEach())
-    {
-      return false;
-    }
   }
   this->SettleCells();
   this->TakeReports();

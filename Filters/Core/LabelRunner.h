@@ -87,6 +87,7 @@ private:
   void AddPlanes(const VirtualPlanes& planes);
   SliceDensity Density() const;
   bool MakeEach();
+  bool MakeDense();
   bool MakeSparse(const SliceDensity& density);
   VirtualPlanes ListVirtualPlanes(const std::vector<LabelPass*>& passes) const;
   bool FinishSparse(const std::vector<LabelPass*>& passes);

@@ -8,12 +8,14 @@
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/SimplifyArcs.h"
 #include "Core/Improve/ImproveSurface.h"
+#include "Core/Labels/LightenStructures.h"
 #include "Core/PatchAllCells.h"
 #include "Core/Patches/Domes.h"
 #include "Core/Slabs/StitchSlabs.h"
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 namespace orthoslices
 {
@@ -184,13 +186,13 @@ double DisagreementOf(const Reconstruction& result)
 /// triangles.
 double AccuracyOf(const PatchOptions& patching, const Reconstruction& result)
 {
-  if (!NeedsNormals(patching.Method) || !(patching.OwnAccuracy || patching.Accuracy > 0.0))
+  if (!GivesNormals(patching.Method) || !(patching.OwnAccuracy || patching.Accuracy > 0.0))
   {
     return 0.0;
   }
   const double spacing = MinMeanSpacing(result.Grid);
   double accuracy = patching.Accuracy;
-  if (patching.OwnAccuracy)
+  if (!(accuracy > 0.0))
   {
     const CycleGeometry geometry = GeometryOf(result);
     const double error = FitError({ geometry, result.Cells, result.Normals,
@@ -221,7 +223,7 @@ LightGraph DrawOutlines(double accuracy, Pass& pass)
   Reconstruction& result = pass.Result;
   const CycleGeometry geometry = GeometryOf(result);
   LightGraph light;
-  if (accuracy > 0.0)
+  if (accuracy > 0.0 && !pass.Settings.Patching.KeepContours)
   {
     light = LightenArcs({ geometry, result.Cells, result.Surface.Meshes, result.Normals },
       ShareOfArcs * accuracy, pass.Execute);
@@ -230,34 +232,18 @@ LightGraph DrawOutlines(double accuracy, Pass& pass)
   return light;
 }
 
-/// Triangles of good shape, if they are to be few.
-void ImproveIfLight(double accuracy, const LightGraph& light, Pass& pass)
+/// Fills all cycles, and lays the patches out as triangles.
+void LayOutPatches(const PatchOptions& patching, LightGraph&& light, Pass& pass)
 {
   Reconstruction& result = pass.Result;
-  if (light.Any() && result.Grid.Metric.IsWorld())
-  {
-    const double tolerance = ShareOfTriangles * accuracy * MinMeanSpacing(result.Grid);
-    ImproveSurface(
-      GeometryOf(result), result.Normals, { tolerance, GoodAngle }, pass.Execute, result.Surface);
-  }
-  pass.Finish(Stage::ImproveSurface);
-}
-}
-
-bool FillCycles(const PatchOptions& options, Pass& pass)
-{
-  Reconstruction& result = pass.Result;
-  PatchOptions patching = options;
-  FindNormals(patching, pass);
-  patching.Accuracy = AccuracyOf(options, result);
-  LightGraph light = DrawOutlines(patching.Accuracy, pass);
   result.Surface.Inner = BuildInnerPatches(
     { GeometryOf(result), result.Cells, result.Normals, result.Surface.CentralPoints,
       result.Surface.Meshes, light.Any() ? &light : nullptr },
     patching, pass.Execute);
   if (light.Any())
   {
-    std::swap(result.Graph, light.Graph);
+    result.Drawn = std::move(result.Graph);
+    result.Graph = std::move(light.Graph);
     result.Nodes.Position.swap(light.Positions);
     std::swap(result.Normals, light.Normals);
   }
@@ -268,7 +254,66 @@ bool FillCycles(const PatchOptions& options, Pass& pass)
   pass.Finish(Stage::BuildInnerPatches);
   LayOutTriangles(result.Graph, result.Cycles, result.Surface);
   pass.Finish(Stage::LayOutTriangles);
-  ImproveIfLight(patching.Accuracy, light, pass);
+}
+
+/// Triangles of good shape, if they are to be few.
+void ImproveIfLight(double accuracy, Pass& pass)
+{
+  Reconstruction& result = pass.Result;
+  if (accuracy > 0.0 && result.Grid.Metric.IsWorld())
+  {
+    ImprovementLimits limits;
+    limits.Tolerance = ShareOfTriangles * accuracy * MinMeanSpacing(result.Grid);
+    limits.SmallAngle = GoodAngle;
+    limits.Kept = pass.Settings.Patching.KeepContours ? result.Graph.Count() : 0;
+    ImproveSurface(GeometryOf(result), result.Normals, limits, pass.Execute, result.Surface);
+  }
+  pass.Finish(Stage::ImproveSurface);
+}
+}
+
+bool FillCycles(const PatchOptions& options, Pass& pass)
+{
+  PatchOptions patching = options;
+  FindNormals(patching, pass);
+  patching.Accuracy = AccuracyOf(options, pass.Result);
+  pass.Result.Accuracy = options.KeepContours ? 0.0 : patching.Accuracy;
+  LayOutPatches(patching, DrawOutlines(patching.Accuracy, pass), pass);
+  ImproveIfLight(patching.Accuracy, pass);
   return pass.GoOn();
+}
+
+bool FillTogether(const PatchOptions& options, const std::vector<Pass*>& structures)
+{
+  PatchOptions patching = options;
+  patching.Accuracy = HUGE_VAL;
+  std::deque<CycleGeometry> geometries;
+  std::vector<ArcSurface> surfaces;
+  for (Pass* pass : structures)
+  {
+    FindNormals(options, *pass);
+    Reconstruction& result = pass->Result;
+    patching.Accuracy = std::min(patching.Accuracy, AccuracyOf(options, result));
+    geometries.push_back(GeometryOf(result));
+    surfaces.push_back({ geometries.back(), result.Cells, result.Surface.Meshes, result.Normals });
+  }
+  std::vector<LightGraph> light(structures.size());
+  if (patching.Accuracy > 0.0 && !structures.empty() && !patching.KeepContours)
+  {
+    light =
+      LightenStructures(surfaces, ShareOfArcs * patching.Accuracy, structures.front()->Execute);
+  }
+  for (std::size_t i = 0; i < structures.size(); ++i)
+  {
+    structures[i]->Result.Accuracy = options.KeepContours ? 0.0 : patching.Accuracy;
+    structures[i]->Finish(Stage::LightenArcs);
+    LayOutPatches(patching, std::move(light[i]), *structures[i]);
+    structures[i]->Finish(Stage::ImproveSurface);
+    if (!structures[i]->GoOn())
+    {
+      return false;
+    }
+  }
+  return true;
 }
 }

@@ -5,6 +5,8 @@
 
 #include "Core/Pass.h"
 
+#include <vector>
+
 namespace orthoslices
 {
 /// Where contours cross the lattice, without contradictions between the slices (section 4.2). False:
@@ -21,6 +23,12 @@ bool ConnectContours(Pass& pass);
 
 /// The inside of the patches, and all triangles (section 5). False: stopped.
 bool FillCycles(const PatchOptions& patching, Pass& pass);
+
+/// FillCycles for several structures that have the same planes around their cells. If triangles are
+/// to be few, arcs are drawn for all of them at once (LightenStructures), with the least accuracy
+/// of all, and triangles are not improved, as they have to stay the same on common borders. False:
+/// stopped.
+bool FillTogether(const PatchOptions& patching, const std::vector<Pass*>& structures);
 
 /// Whether the real slices are cuts of one solid: contours meet to within a small part of a
 /// spacing.

@@ -9,19 +9,32 @@
 
 namespace orthoslices
 {
-bool ReconstructContours(Pass& pass)
+namespace
 {
-  const SparseSlices sparse(pass); // of the slices of the input
+void AddEndSlicesIfAsked(Pass& pass)
+{
   if (pass.Settings.Ends == EndCaps::HalfSlice && !pass.Result.InsideOut)
   {
     pass.AddEndSlices();
   }
-  if (!sparse.Any() && !AddBorderSlices(pass))
+}
+}
+
+bool ConnectDense(Pass& pass)
+{
+  AddEndSlicesIfAsked(pass);
+  return AddBorderSlices(pass) && ConnectContours(pass);
+}
+
+bool ReconstructContours(Pass& pass)
+{
+  const SparseSlices sparse(pass); // of the slices of the input
+  if (sparse.Any())
   {
-    return false;
+    AddEndSlicesIfAsked(pass);
+    return MakeSparseSurface(sparse, pass);
   }
-  return sparse.Any() ? MakeSparseSurface(sparse, pass)
-                      : ConnectContours(pass) && FillCycles(pass.Settings.Patching, pass);
+  return ConnectDense(pass) && FillCycles(pass.Settings.Patching, pass);
 }
 
 Reconstruction Reconstruct(std::array<Pieces, 3>&& pieces, const Options& options,

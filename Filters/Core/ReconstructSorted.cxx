@@ -46,6 +46,7 @@ void MapSurface(const AxisFrame& frame, Reconstruction& result)
   const auto point = [&](const Point3& p) { return frame.ToWorld(p); };
   const auto normal = [&](const Point3& n) { return frame.NormalToWorld(n); };
   MapTriples(result.Graph.Points, point);
+  MapTriples(result.Drawn.Points, point);
   MapTriples(result.Isolated.Points, point);
   MapTriples(result.Surface.CentralPoints, point);
   MapTriples(result.Surface.Inner.Points, point);

@@ -3,13 +3,13 @@
 #ifndef OrthoSlicesReconstruction_h
 #define OrthoSlicesReconstruction_h
 
+#include "Core/Base/AxisFrame.h"
 #include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 #include "Core/Base/Polylines.h"
 #include "Core/Cells/UndecidedPlaces.h"
 #include "Core/Crossings/MeasureAgreement.h"
 #include "Core/Crossings/ReconcileSlices.h"
-#include "Core/Base/AxisFrame.h"
 #include "Core/Graph/CycleGeometry.h"
 #include "Core/Graph/IsolatedContours.h"
 #include "Core/Patches/EstimateNormals.h"
@@ -74,6 +74,11 @@ struct Reconstruction
   Index SmallComponents = 0; ///< left out
   SurfaceNormals Normals;    ///< of G; not for PatchMethod::Fan and Coons
   Patches Surface;
+  /// How far contours may be from the surface, in mean spacings of the planes across their slices;
+  /// 0 if they keep their vertices. See PatchOptions::Accuracy.
+  double Accuracy = 0.0;
+  /// G with all vertices of contours, if Graph has lost some of them for few triangles; else empty.
+  NodeGraph Drawn;
 
   /// The report: what the slices disagreed on, and what was done about it.
   Reconciliation Reconciled;   ///< its repairs are moved to Repairs
@@ -90,6 +95,12 @@ struct Reconstruction
 };
 
 CycleGeometry GeometryOf(const Reconstruction& result);
+
+/// G with all vertices of contours.
+inline const NodeGraph& DrawnGraph(const Reconstruction& result)
+{
+  return result.Drawn.Points.empty() ? result.Graph : result.Drawn;
+}
 
 /// Contours of real slices without node points, or parts of them, that take no part in the surface.
 Index CountLeftOut(const Reconstruction& result);

@@ -230,14 +230,24 @@ bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
     passes[i]->Sparse->TakeVirtual(std::move(slices[i]));
   }
   this->ShareVirtual(passes, false);
+  std::vector<Pass*> toFill;
   for (std::size_t i = 0; i < passes.size(); ++i)
   {
     passes[i]->SetProgress(ProgressOfDrawing, 1.0, i, passes.size());
-    if (!passes[i]->Sparse->Finish())
+    if (!passes[i]->Sparse->Connect())
     {
       return false;
     }
-    passes[i]->Sparse.reset();
+    toFill.push_back(&passes[i]->Sparse->ToFill());
+  }
+  if (!FillTogether(this->Settings.Patching, toFill))
+  {
+    return false;
+  }
+  for (LabelPass* pass : passes)
+  {
+    pass->Sparse->Finish();
+    pass->Sparse.reset();
   }
   this->Passes.pop_back();
   return true;

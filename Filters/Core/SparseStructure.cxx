@@ -108,23 +108,31 @@ void SparseStructure::TakeVirtual(Contours&& slices)
   this->Virtual.Virtual.assign(this->Virtual.Axis.size(), 1);
 }
 
-bool SparseStructure::Finish()
+bool SparseStructure::Connect()
 {
   if (this->Virtual.Count() == 0)
   {
     this->First.Result.Surface.CentralPoints.swap(this->Centers);
     this->First.SetShare(ProgressOfBending, 1.0);
-    return FillCycles(this->First.Settings.Patching, this->First);
+    return true;
   }
-  std::vector<Index> leftOut;
-  Pass again = SecondPass(this->First, this->Drawn, this->Virtual, this->Known, leftOut);
-  if (!ConnectContours(again) || !FillCycles(again.Settings.Patching, again))
+  this->Again = std::make_unique<Pass>(
+    SecondPass(this->First, this->Drawn, this->Virtual, this->Known, this->LeftOut));
+  if (!ConnectContours(*this->Again))
   {
     this->First.Result.Stopped = true;
     return false;
   }
-  TakeReport(this->First.Result, leftOut, again.Result);
-  this->First.Result = std::move(again.Result);
   return true;
+}
+
+void SparseStructure::Finish()
+{
+  if (this->Again)
+  {
+    TakeReport(this->First.Result, this->LeftOut, this->Again->Result);
+    this->First.Result = std::move(this->Again->Result);
+    this->Again.reset();
+  }
 }
 }

@@ -6,6 +6,9 @@
 #include "Core/Pass.h"
 #include "Core/Sparse/VirtualPlanes.h"
 
+#include <memory>
+#include <vector>
+
 namespace orthoslices
 {
 /**
@@ -31,8 +34,12 @@ public:
   Contours ListSlices() const;
   /// Takes the virtual slices as they are once all have been made to agree.
   void TakeVirtual(Contours&& slices);
-  /// The second surface, in the place of the first one in its pass. False: stopped.
-  bool Finish();
+  /// The second surface, up to the inside of its patches. False: stopped.
+  bool Connect();
+  /// The pass of which patches are to be filled then.
+  Pass& ToFill() { return this->Again ? *this->Again : this->First; }
+  /// Puts the second surface in the place of the first one in its pass.
+  void Finish();
 
   /// Through a few slices of several families, virtual ones are those of a field (SliceField).
   bool FollowsField = false;
@@ -47,6 +54,8 @@ private:
   Contours Drawn;              ///< as they are before the first pass
   std::vector<double> Centers; ///< the central points of the first surface before its sketch
   PriorKnowledge Known;        ///< what the second surface is to come out as
+  std::unique_ptr<Pass> Again; ///< of the second surface, if there is any
+  std::vector<Index> LeftOut;  ///< contours that take no part in it
 };
 }
 

@@ -58,6 +58,7 @@ def check_defaults():
         "ChordTolerance": 0.0,
         "Accuracy": 0.0,
         "AutomaticAccuracy": 0,
+        "KeepContourVertices": 0,
         "CornerAngle": 60.0,
         "Smoothing": 0.0,
         "ContourTolerance": 0.0,

@@ -81,7 +81,7 @@ double MeshImprover::QualityOf(Index triangle) const
 bool MeshImprover::IsFree(Index point) const
 {
   const CornerTable& corners = this->Mesh.Corners;
-  return this->Mesh.Fixed[point] == 0 &&
+  return this->Mesh.Fixed[point] == 0 && point >= this->Limits.Kept &&
     std::all_of(this->Star.Corners.begin(), this->Star.Corners.end(),
       [&](Index corner)
       { return this->Mesh.Fixed[corners.VertexOf(CornerTable::Next(corner))] == 0; });

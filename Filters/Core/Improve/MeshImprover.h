@@ -27,6 +27,7 @@ struct ImprovementLimits
   /// How far the surface may move, in world units; beside the worst triangles, 1.4 times as far.
   double Tolerance = 0.0;
   double SmallAngle = 0.0; ///< triangles with a smaller one are to be improved, in degrees
+  Index Kept = 0;          ///< the first so many points stay where they are
 };
 
 /**

@@ -301,7 +301,8 @@ void Share(const PatchTables& tables, const std::vector<Index>& meshOf, const In
     {
       continue;
     }
-    border.Set(tables.Geometry, tables.Normals, cycle);
+    border.Set(Workshop::OutlinesOf(tables),
+      tables.Light ? tables.Light->Normals : tables.Normals, cycle);
     const Index first = border.Turn(), size = border.Count();
     const bool isInner = next < patches.Count() && patches.Cycle[next] == cycle;
     InnerPatch patch =

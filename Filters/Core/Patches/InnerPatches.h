@@ -63,8 +63,10 @@ struct PatchOptions
    * PatchMethod::Smooth.
    */
   double Accuracy = 0.0;
-  /// Accuracy follows from the error of the surface, as FitError estimates it.
+  /// If Accuracy is 0, it follows from the error of the surface, as FitError estimates it.
   bool OwnAccuracy = false;
+  /// With few triangles, contours keep their vertices all the same.
+  bool KeepContours = false;
   /// Patches of structures that were made before: taken over where borders are the same, and added
   /// to.
   SharedPatches* Shared = nullptr;

@@ -140,6 +140,7 @@ def reconstruct(
     chord_tolerance: Optional[float] = None,
     accuracy: Optional[float] = None,
     automatic_accuracy: Optional[bool] = None,
+    keep_contour_vertices: Optional[bool] = None,
     corner_angle: Optional[float] = None,
     smoothing: Optional[float] = None,
     contour_tolerance: Optional[float] = None,

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surface/ComponentSeeds.h"
+
+#include "Core/Base/Vectors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace orthoslices
+{
+namespace
+{
+using Triangle = std::array<Point3, 3>;
+
+/// Where the line of a component's seed begins, and along which axis it runs.
+struct SeedLine
+{
+  std::int64_t Triangle = -1; ///< none yet
+  int Axis = 0;
+  double Extent =
+    0.0; ///< of the triangle, twice, as seen along the axis; negative seen from behind
+  Point3 Start{ 0.0, 0.0, 0.0 };
+  int Sign = 1;              ///< the direction along the axis
+  double Nearest = HUGE_VAL; ///< how far it is to the surface
+};
+
+/// Takes a triangle for the line if it is wider than the one before.
+void Consider(const Triangle& triangle, std::int64_t number, SeedLine& line)
+{
+  const Point3 normal = Cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (std::abs(normal[axis]) > std::abs(line.Extent))
+    {
+      line.Triangle = number;
+      line.Axis = axis;
+      line.Extent = normal[axis];
+      line.Start = (1.0 / 3.0) * (triangle[0] + triangle[1] + triangle[2]);
+    }
+  }
+}
+
+/// Twice the area of a triangle as seen along an axis; positive if it runs counter-clockwise.
+double AreaAlong(int axis, const Point3& a, const Point3& b, const Point3& c)
+{
+  const int u = FirstAxis(axis), v = SecondAxis(axis);
+  return (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
+}
+
+/// Shortens a line to where it meets a triangle. Its border counts.
+void Meet(const Triangle& triangle, SeedLine& line)
+{
+  for (const int axis : { FirstAxis(line.Axis), SecondAxis(line.Axis) })
+  {
+    const auto [low, high] =
+      std::minmax({ triangle[0][axis], triangle[1][axis], triangle[2][axis] });
+    if (line.Start[axis] < low || line.Start[axis] > high)
+    {
+      return;
+    }
+  }
+  Point3 shares;
+  for (int i = 0; i < 3; ++i)
+  {
+    shares[i] = AreaAlong(line.Axis, triangle[(i + 1) % 3], triangle[(i + 2) % 3], line.Start);
+  }
+  const double sum = shares[0] + shares[1] + shares[2];
+  const auto [least, greatest] = std::minmax({ shares[0], shares[1], shares[2] });
+  if ((least < 0.0 && greatest > 0.0) || sum == 0.0)
+  {
+    return;
+  }
+  double height = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    height += shares[i] / sum * triangle[i][line.Axis];
+  }
+  const double distance = line.Sign * (height - line.Start[line.Axis]);
+  line.Nearest = distance > 0.0 ? std::min(line.Nearest, distance) : line.Nearest;
+}
+
+Point3 SeedOn(const SeedLine& line)
+{
+  if (line.Triangle < 0 || !(line.Nearest < HUGE_VAL))
+  {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return { none, none, none };
+  }
+  Point3 seed = line.Start;
+  seed[line.Axis] += 0.5 * line.Sign * line.Nearest;
+  return seed;
+}
+}
+
+template <typename Coordinate, typename Id>
+std::vector<Point3> FindSeeds(const Coordinate* points, const Id* triangles,
+  std::int64_t triangleCount, const int* components, const std::vector<ComponentMeasure>& measures)
+{
+  const auto triangleAt = [&](std::int64_t number)
+  {
+    Triangle triangle;
+    for (int i = 0; i < 3; ++i)
+    {
+      const Coordinate* p = points + 3 * static_cast<std::int64_t>(triangles[3 * number + i]);
+      triangle[i] = { static_cast<double>(p[0]), static_cast<double>(p[1]),
+        static_cast<double>(p[2]) };
+    }
+    return triangle;
+  };
+  std::vector<SeedLine> lines(measures.size());
+  for (std::int64_t i = 0; i < triangleCount; ++i)
+  {
+    if (components[i] >= 0 && components[i] < static_cast<int>(lines.size()))
+    {
+      Consider(triangleAt(i), i, lines[components[i]]);
+    }
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    // Normals point away from the region that is enclosed, but into a cavity.
+    const bool isCavity = measures[i].Volume < 0.0;
+    lines[i].Sign = (lines[i].Extent > 0.0) == isCavity ? 1 : -1;
+  }
+  for (std::int64_t i = 0; i < triangleCount; ++i)
+  {
+    const Triangle triangle = triangleAt(i);
+    for (SeedLine& line : lines)
+    {
+      if (line.Triangle != i)
+      {
+        Meet(triangle, line);
+      }
+    }
+  }
+  std::vector<Point3> seeds;
+  for (const SeedLine& line : lines)
+  {
+    seeds.push_back(SeedOn(line));
+  }
+  return seeds;
+}
+
+#define ORTHOSLICES_INSTANTIATE(Coordinate, Id) \
+  template std::vector<Point3> FindSeeds(       \
+    const Coordinate*, const Id*, std::int64_t, const int*, const std::vector<ComponentMeasure>&);
+ORTHOSLICES_INSTANTIATE(float, std::int32_t)
+ORTHOSLICES_INSTANTIATE(float, long long)
+ORTHOSLICES_INSTANTIATE(double, std::int32_t)
+ORTHOSLICES_INSTANTIATE(double, long long)
+#undef ORTHOSLICES_INSTANTIATE
+}

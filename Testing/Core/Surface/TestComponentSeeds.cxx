@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Surface/ComponentSeeds.h"
+
+#include "Core/Base/Vectors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace orthoslices;
+
+namespace
+{
+/// Boxes around the origin, outwards or inwards, one component each.
+struct Boxes
+{
+  std::vector<double> Points;
+  std::vector<std::int32_t> Triangles;
+  std::vector<int> Components;
+  int Count = 0;
+
+  void Add(double half, bool isCavity)
+  {
+    const std::int32_t first = static_cast<std::int32_t>(this->Points.size() / 3);
+    for (int i = 0; i < 8; ++i)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        this->Points.push_back((i >> axis & 1) != 0 ? half : -half);
+      }
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const std::int32_t u = 1 << FirstAxis(axis), v = 1 << SecondAxis(axis);
+      for (const std::int32_t base : { 0, 1 << axis })
+      {
+        const bool isUp = (base != 0) != isCavity;
+        this->AddTriangle(first + base, first + base + u, first + base + u + v, isUp);
+        this->AddTriangle(first + base, first + base + u + v, first + base + v, isUp);
+      }
+    }
+    ++this->Count;
+  }
+  std::vector<Point3> Seeds() const
+  {
+    const auto count = static_cast<std::int64_t>(this->Components.size());
+    return FindSeeds(this->Points.data(), this->Triangles.data(), count, this->Components.data(),
+      MeasureComponents(
+        this->Points.data(), this->Triangles.data(), count, this->Components.data(), this->Count));
+  }
+
+private:
+  void AddTriangle(std::int32_t a, std::int32_t b, std::int32_t c, bool isUp)
+  {
+    this->Triangles.insert(this->Triangles.end(), { a, isUp ? b : c, isUp ? c : b });
+    this->Components.push_back(this->Count);
+  }
+};
+
+/// How far a point is from the origin along the axes.
+double Depth(const Point3& p)
+{
+  return std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+}
+}
+
+//----------------------------------------------------------------------------
+TEST(ComponentSeeds, OneInEachRegionBesideItsComponent)
+{
+  Boxes boxes; // a body, its cavity, and a body in that
+  boxes.Add(1.0, false);
+  boxes.Add(0.5, true);
+  boxes.Add(0.25, false);
+  const std::vector<Point3> seeds = boxes.Seeds();
+  ASSERT_EQ(seeds.size(), 3u);
+  EXPECT_GT(Depth(seeds[0]), 0.5);
+  EXPECT_LT(Depth(seeds[0]), 1.0);
+  EXPECT_GT(Depth(seeds[1]), 0.25);
+  EXPECT_LT(Depth(seeds[1]), 0.5);
+  EXPECT_LT(Depth(seeds[2]), 0.25);
+}
+
+//----------------------------------------------------------------------------
+TEST(ComponentSeeds, NoneWhereNothingIsEnclosed)
+{
+  const std::vector<double> points{ 0, 0, 0, 1, 0, 0, 0, 1, 0 };
+  const std::vector<std::int32_t> triangle{ 0, 1, 2 };
+  const std::vector<int> components{ 0 };
+  const std::vector<Point3> seeds = FindSeeds(points.data(), triangle.data(), 1, components.data(),
+    MeasureComponents(points.data(), triangle.data(), 1, components.data(), 2));
+  ASSERT_EQ(seeds.size(), 2u);
+  EXPECT_TRUE(std::isnan(seeds[0][0]));
+  EXPECT_TRUE(std::isnan(seeds[1][0]));
+}
