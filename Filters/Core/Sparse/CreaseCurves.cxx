@@ -19,8 +19,8 @@ namespace
 constexpr double MaxTurnDifference = 0.55;
 /// The cosine of the angle between the ways that they point, in parallel slices.
 constexpr double MinSameWay = 0.8;
-/// How far apart they may be, as a multiple of the distance of their slices.
-constexpr double MaxSlant = 2.0;
+/// How far apart they may be, as a multiple of the distance that slices have there.
+constexpr double MaxSlant = 1.5;
 /// What a path may cost, as a multiple of the distance of its ends.
 constexpr double MaxCost = 8.0;
 /// What a path costs beside the straight line between its ends, for each length of distance: so
@@ -101,12 +101,12 @@ double CreaseDrawer::DistanceOf(Index one, Index other) const
 {
   const ContourCorner &a = this->Corners[one], &b = this->Corners[other];
   const double distance = Length(this->Way(one, other));
-  const double along = std::abs(this->PlaceOf(one)[a.Axis] - this->PlaceOf(other)[a.Axis]);
+  const Point3 apart = this->PlaceOf(one) - this->PlaceOf(other);
+  const double slices = std::max(std::abs(apart[a.Axis]), std::abs(apart[b.Axis]));
   const bool isParallel = a.Axis == b.Axis;
-  const double sameWay = Dot(a.Tip, b.Tip);
   const bool isOne = (a.Turn > 0.0) == (b.Turn > 0.0) &&
-    std::abs(a.Turn - b.Turn) < MaxTurnDifference && along > 0.0 &&
-    (isParallel ? sameWay > MinSameWay && distance < MaxSlant * along : sameWay > 0.0);
+    std::abs(a.Turn - b.Turn) < MaxTurnDifference && apart[a.Axis] != 0.0 &&
+    distance < MaxSlant * slices && Dot(a.Tip, b.Tip) > (isParallel ? MinSameWay : 0.0);
   return isOne ? distance : HUGE_VAL;
 }
 

@@ -16,11 +16,11 @@ void KeepCorners(std::vector<ContourCorner>&& corners, SurfaceMesh& mesh);
  * it, it would be round between the slices, and dented beside every corner.
  *
  * Two corners of a patch (SurfaceMesh::ContourCorners) belong together if each is the other's
- * nearest among those that lie on other slices, turn to the same side and about as sharply, and
- * point about the same way. Between parallel slices the edge is not flatter than 30 degrees. It
- * becomes a curve on the mesh, whose points are fixed and are creases: straight, or a cubic where
- * it goes on beyond both ends (Catmull and Rom). Corners between which no path of edges near the
- * straight line is left have none.
+ * nearest among those that lie on other slices, turn to the same side and about as sharply, point
+ * about the same way, and are at most one and a half times as far off as the slices are apart
+ * there. Their edge becomes a curve on the mesh, whose points are fixed and are creases: straight,
+ * or a cubic where it goes on beyond both ends (Catmull and Rom). Corners between which no path of
+ * edges near the straight line is left have none.
  */
 void DrawCreases(SurfaceMesh& mesh);
 }
