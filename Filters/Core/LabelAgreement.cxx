@@ -232,6 +232,35 @@ bool LabelRunner::VoteTogether(const VirtualPlanes& ofVirtual, const std::vector
   return true;
 }
 
+/// Draws the slices of each label as they are after all have been made to agree, so that that
+/// changes them no more. False: stopped.
+bool LabelRunner::RedrawEach()
+{
+  for (LabelPass& label : this->Passes)
+  {
+    Contours& contours = label.Stages.Tables.Contours;
+    contours.Virtual.clear();
+    if (!label.IsRead || contours.Count() == 0)
+    {
+      continue;
+    }
+    Pass pass(label.Stages, Contours(contours));
+    pass.SetShare(0.0, 0.0);
+    pass.SetOtherPlanes(this->Planes);
+    pass.BuildGrid();
+    if (!DrawGraph(pass))
+    {
+      label.Stages.Result.Stopped = true;
+      return false;
+    }
+    Contours drawn = ReadAll(pass.Result);
+    TakeCells(contours, drawn);
+    drawn.Virtual.clear();
+    contours = std::move(drawn);
+  }
+  return true;
+}
+
 /**
  * Where slices contradict each other, all labels vote together: each place of a slice gets one of
  * the sets of labels that slices show. What contours of lesser labels run along stays common. A
@@ -263,11 +292,11 @@ bool LabelRunner::AgreeOnSlices()
   {
     return false;
   }
-  for (Contours* contours : labels)
+  if (!this->RedrawEach())
   {
-    contours->Virtual.clear();
+    return false;
   }
-  const SharedBorders shared = ShareBorders(0.0, {}, this->Execute, labels);
+  const SharedBorders shared = ShareBorders(0.0, this->Borders.Sets, this->Execute, labels);
   this->Borders.Union = shared.Union;
   this->Junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
   this->BuildGrids();

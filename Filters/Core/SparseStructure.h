@@ -31,6 +31,9 @@ public:
   Contours ListSlices() const;
   /// Takes the virtual slices as they are once all have been made to agree.
   void TakeVirtual(Contours&& slices);
+  /// Draws the virtual slices as they are after all slices of this structure have been made to
+  /// agree, so that a second surface changes them no more. False: stopped.
+  bool Redraw();
   /// The second surface, in the place of the first one in its pass. False: stopped.
   bool Finish();
 
