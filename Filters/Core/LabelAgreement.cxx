@@ -288,9 +288,21 @@ bool LabelRunner::AgreeOnSlices()
       labels.push_back(&pass.Stages.Tables.Contours);
     }
   }
+  std::vector<Contours> before;
+  for (const Contours* contours : labels)
+  {
+    before.push_back(*contours);
+  }
   if (!this->KeepReports() || !this->VoteTogether(lacking, labels))
   {
     return false;
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i)
+  {
+    if (labels[i]->Count() == 0)
+    {
+      *labels[i] = std::move(before[i]); // overruled everywhere: the report of its own says so
+    }
   }
   if (!this->RedrawEach())
   {
