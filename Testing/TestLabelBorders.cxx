@@ -391,3 +391,111 @@ TEST(LabelBorders, OverlapsAreKeptAndNamed)
   ASSERT_EQ(run.Warnings.size(), 1u);
   EXPECT_NE(run.Warnings[0].find("-1 and 1"), std::string::npos) << run.Warnings[0];
 }
+
+namespace
+{
+/// Moves slices across an axis by some way in their plane, each by another one, or swaps two labels
+/// on every fifth of them.
+void Contradict(int axis, bool isSwapped, vtkPolyData* slices)
+{
+  std::map<double, int> numbers; // of slices, by their coordinates
+  for (vtkIdType i = 0; i < slices->GetNumberOfPoints(); ++i)
+  {
+    numbers[slices->GetPoint(i)[axis]] = 0;
+  }
+  int next = 0;
+  for (auto& number : numbers)
+  {
+    number.second = next++;
+  }
+  vtkNew<vtkPoints> moved;
+  moved->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < slices->GetNumberOfPoints(); ++i)
+  {
+    Point3 p;
+    slices->GetPoint(i, p.data());
+    const int number = numbers[p[axis]];
+    p[FirstAxis(axis)] += isSwapped ? 0.0 : 1.5 * std::sin(5.0 * number + axis);
+    p[SecondAxis(axis)] += isSwapped ? 0.0 : 1.5 * std::cos(3.0 * number + axis);
+    moved->InsertNextPoint(p.data());
+  }
+  vtkDataArray* labels = slices->GetCellData()->GetArray("Label");
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; isSwapped && i < slices->GetNumberOfCells(); ++i)
+  {
+    slices->GetCellPoints(i, ids);
+    const double label = labels->GetTuple1(i);
+    if (numbers[slices->GetPoint(ids->GetId(0))[axis]] % 5 == 2 && label < 3.0)
+    {
+      labels->SetTuple1(i, 3.0 - label);
+    }
+  }
+  slices->SetPoints(moved);
+}
+
+/// An image cut into slices that contradict each other, and reconstructed.
+Borders ReconstructContradicted(
+  const LabelImage& image, const std::array<int, 3>& slices, bool isSwapped)
+{
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(ToVtk(image));
+  slicer->EveryLabelOn();
+  slicer->SetNumberOfSlices(std::max(1, slices[0]), std::max(1, slices[1]), std::max(1, slices[2]));
+  slicer->Update();
+  FilterRun run;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (slices[axis] > 0)
+    {
+      vtkNew<vtkPolyData> data;
+      data->DeepCopy(slicer->GetOutput(axis));
+      Contradict(axis, isSwapped, data);
+      run.Filter->SetInputData(axis, data);
+    }
+  }
+  run.Filter->SetLabelArray("Label");
+  vtkPolyData* surface = run.Update();
+  EXPECT_TRUE(run.Errors.empty());
+  return Borders(surface);
+}
+}
+
+/// Where slices contradict each other, each place gets one label from all of them together.
+TEST(LabelBorders, DoNotCrossWhereSlicesContradictEachOther)
+{
+  for (const std::vector<Point3>* places : { &Three(), &Five() })
+  {
+    const std::array<int, 3> counts[] = { { 16, 16, 16 }, { 16, 16, 0 }, { 4, 4, 4 } };
+    for (const std::array<int, 3>& slices : counts)
+    {
+      for (const bool isSwapped : { false, true })
+      {
+        SCOPED_TRACE(std::to_string(places->size()) + " labels, " + std::to_string(slices[0]) +
+          ", " + std::to_string(slices[2]) + (isSwapped ? ", swapped" : ", moved"));
+        const Borders borders = ReconstructContradicted(DivideBall(*places), slices, isSwapped);
+        EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
+        EXPECT_EQ(borders.Count, places->size());
+        EXPECT_EQ(borders.Crossings, 0);
+        EXPECT_LT(borders.Overlap, 1e-4);
+      }
+    }
+  }
+}
+
+/// A few slices leave many labels in one cell; virtual ones divide it.
+TEST(LabelBorders, LeaveNoGapsBetweenAFewSlices)
+{
+  const Borders borders = Reconstruct(MakeLabelImage(LabelKind::Ball, 8, 1), { 4, 4, 4 });
+  EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
+  EXPECT_EQ(borders.Crossings, 0);
+  EXPECT_LT(borders.Overlap, 1e-5);
+  EXPECT_LT(borders.Gap, 0.002);
+}
+
+/// Contours of one label that seem to be missing are not inserted where another one is drawn.
+TEST(LabelBorders, WhatIsDrawnIsNotOverlappedByWhatIsInserted)
+{
+  const Borders borders = Reconstruct(MakeLabelImage(LabelKind::Corners, 5, 2), { 0, 0, 16 });
+  EXPECT_EQ(borders.Crossings, 0);
+  EXPECT_LT(borders.Overlap, 1e-4);
+}

@@ -232,6 +232,35 @@ bool LabelRunner::VoteTogether(const VirtualPlanes& ofVirtual, const std::vector
   return true;
 }
 
+/// Draws the slices of each label as they are after all have been made to agree, so that that
+/// changes them no more. False: stopped.
+bool LabelRunner::RedrawEach()
+{
+  for (LabelPass& label : this->Passes)
+  {
+    Contours& contours = label.Stages.Tables.Contours;
+    contours.Virtual.clear();
+    if (!label.IsRead || contours.Count() == 0)
+    {
+      continue;
+    }
+    Pass pass(label.Stages, Contours(contours));
+    pass.SetShare(0.0, 0.0);
+    pass.SetOtherPlanes(this->Planes);
+    pass.BuildGrid();
+    if (!DrawGraph(pass))
+    {
+      label.Stages.Result.Stopped = true;
+      return false;
+    }
+    Contours drawn = ReadAll(pass.Result);
+    TakeCells(contours, drawn);
+    drawn.Virtual.clear();
+    contours = std::move(drawn);
+  }
+  return true;
+}
+
 /**
  * Where slices contradict each other, all labels vote together: each place of a slice gets one of
  * the sets of labels that slices show. What contours of lesser labels run along stays common. A
@@ -259,15 +288,27 @@ bool LabelRunner::AgreeOnSlices()
       labels.push_back(&pass.Stages.Tables.Contours);
     }
   }
+  std::vector<Contours> before;
+  for (const Contours* contours : labels)
+  {
+    before.push_back(*contours);
+  }
   if (!this->KeepReports() || !this->VoteTogether(lacking, labels))
   {
     return false;
   }
-  for (Contours* contours : labels)
+  for (std::size_t i = 0; i < labels.size(); ++i)
   {
-    contours->Virtual.clear();
+    if (labels[i]->Count() == 0)
+    {
+      *labels[i] = std::move(before[i]); // overruled everywhere: the report of its own says so
+    }
   }
-  const SharedBorders shared = ShareBorders(0.0, {}, this->Execute, labels);
+  if (!this->RedrawEach())
+  {
+    return false;
+  }
+  const SharedBorders shared = ShareBorders(0.0, this->Borders.Sets, this->Execute, labels);
   this->Borders.Union = shared.Union;
   this->Junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
   this->BuildGrids();

@@ -80,6 +80,7 @@ private:
   bool DoSlicesContradict(VirtualPlanes& lacking);
   bool KeepReports();
   bool VoteTogether(const VirtualPlanes& ofVirtual, const std::vector<Contours*>& labels);
+  bool RedrawEach();
   bool AgreeOnSlices();
   bool IsStopped() const;
   void TakeReports();

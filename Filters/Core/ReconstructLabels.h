@@ -41,15 +41,18 @@ struct LabelSurfaces
  * own. Else
  *
  *   ShareBorders        contours get the same vertices where they run along each other
+ *   NestRegions, PartRegions  where slices contradict each other, each place gets the labels that
+ *                       the median of all slices has
  *   AddEmptyPlanes      all have the same planes, so that cells are common
  *   SharedPatches       borders that are the same around a cell have the same patch
  *   SettleCommonCells   surfaces pass through common cells without crossing each other
  *
  * so that surfaces do not cross where contours do not. Where slices are too few, as SliceDensity
- * says of all together, all are bent and cut on the same virtual planes, and so is their union. Its
- * virtual slices are divided as the real ones are: what is outside of the union belongs to none,
- * and no two have in common what real slices do not show them to have. ShareBorders does that, and
- * once more after the virtual slices agree with the real ones.
+ * says of all together, all are bent and cut on the same virtual planes, and so is their union; of
+ * a few slices of several families, virtual ones are those of a field, or of the surfaces as they
+ * are. Virtual slices of the union are divided as the real ones are: what is outside of it belongs
+ * to none, and no two have in common what real slices do not show them to have. ShareBorders does
+ * that, and once more after the virtual slices agree with the real ones, by the same vote.
  */
 LabelSurfaces ReconstructLabels(
   std::vector<SortedSlices>&& labels, const Options& options, const Execution& execution);

@@ -18,6 +18,9 @@ namespace
 /// the next one.
 constexpr double LargestShift = 0.02;
 
+/// A vertex so near to a plane is on it, in the same measure: turned contours are rounded.
+constexpr double OnPlane = 1e-6;
+
 /// Appends the coordinates along an axis of all vertices of contours that lie across others.
 void AddCoordinates(const Contours& contours, int axis, std::vector<double>& coordinates)
 {
@@ -54,11 +57,17 @@ void LabelRunner::MoveOffVertices(const SpatialGrid& grid, VirtualPlanes& planes
     for (double& plane : planes[axis])
     {
       const auto next = std::upper_bound(all.begin(), all.end(), plane);
-      const auto [at, vertex] = std::equal_range(vertices.begin(), vertices.end(), plane);
-      if (at != vertex && next != all.end() && vertex != vertices.end())
+      if (next == all.end())
+      {
+        continue;
+      }
+      const double on = OnPlane * (*next - plane);
+      const auto at = std::lower_bound(vertices.begin(), vertices.end(), plane - on);
+      const auto beyond = std::upper_bound(at, vertices.end(), plane + on);
+      if (at != beyond && beyond != vertices.end())
       {
         plane =
-          grid.Round(plane + std::min(0.5 * (*vertex - plane), LargestShift * (*next - plane)));
+          grid.Round(plane + std::min(0.5 * (*beyond - plane), LargestShift * (*next - plane)));
       }
     }
   }
@@ -228,6 +237,15 @@ bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
   for (std::size_t i = 0; i < passes.size(); ++i)
   {
     passes[i]->Sparse->TakeVirtual(std::move(slices[i]));
+  }
+  this->ShareVirtual(passes, false);
+  // What the last rounding changes, each label follows by itself.
+  for (LabelPass* pass : passes)
+  {
+    if (!pass->Sparse->Redraw())
+    {
+      return false;
+    }
   }
   this->ShareVirtual(passes, false);
   std::vector<Pass*> toFill;

@@ -108,6 +108,23 @@ void SparseStructure::TakeVirtual(Contours&& slices)
   this->Virtual.Virtual.assign(this->Virtual.Axis.size(), 1);
 }
 
+bool SparseStructure::Redraw()
+{
+  if (this->Virtual.Count() == 0)
+  {
+    return true;
+  }
+  std::vector<Index> leftOut;
+  Pass again = SecondPass(this->First, this->Drawn, this->Virtual, this->Known, leftOut);
+  if (!DrawGraph(again))
+  {
+    this->First.Result.Stopped = true;
+    return false;
+  }
+  this->Virtual = ReadVirtual(again.Result, this->First.Result.Grid);
+  return true;
+}
+
 bool SparseStructure::Connect()
 {
   if (this->Virtual.Count() == 0)

@@ -34,6 +34,9 @@ public:
   Contours ListSlices() const;
   /// Takes the virtual slices as they are once all have been made to agree.
   void TakeVirtual(Contours&& slices);
+  /// Draws the virtual slices as they are after all slices of this structure have been made to
+  /// agree, so that a second surface changes them no more. False: stopped.
+  bool Redraw();
   /// The second surface, up to the inside of its patches. False: stopped.
   bool Connect();
   /// The pass of which patches are to be filled then.

@@ -249,6 +249,15 @@ std::vector<Contours> NestRegions(const OrderedSets& sets, const Execution& exec
                                                                    : std::vector<Contours>();
 }
 
+void TakeCells(const Contours& before, Contours& contours)
+{
+  const VertexFinder finder(before);
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    contours.Cell[contour] = finder.CellOf(contours, contour);
+  }
+}
+
 bool PartRegions(const RegionParting& parting, const Execution& execution,
   const std::vector<Contours>& regions, const std::vector<Contours*>& structures)
 {
@@ -282,11 +291,7 @@ bool PartRegions(const RegionParting& parting, const Execution& execution,
   }
   for (std::size_t i = 0; i < structures.size(); ++i)
   {
-    const VertexFinder before(*structures[i]);
-    for (Index contour = 0; contour < parted[i].Count(); ++contour)
-    {
-      parted[i].Cell[contour] = before.CellOf(parted[i], contour);
-    }
+    TakeCells(*structures[i], parted[i]);
     *structures[i] = std::move(parted[i]);
   }
   return true;

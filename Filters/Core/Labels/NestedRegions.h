@@ -26,6 +26,10 @@ using OrderedSets = std::vector<std::vector<Index>>;
 std::vector<Contours> NestRegions(const OrderedSets& sets, const Execution& execution,
   const std::vector<const Contours*>& structures);
 
+/// Gives contours that were drawn anew the cells of those before which have most of their vertices
+/// on their slice; -1 if none has any.
+void TakeCells(const Contours& before, Contours& contours);
+
 /// What parts regions.
 struct RegionParting
 {
@@ -36,9 +40,8 @@ struct RegionParting
 };
 
 /// The structures of regions, of which each may have another border than before: a place has the
-/// set of the last region that it is in, whether or not it is in those before. Contours are those
-/// of the structure on that slice which have most of their vertices, or of the cell -1. False if
-/// the contours of a slice could not be split; then the structures stay as they are.
+/// set of the last region that it is in, whether or not it is in those before. False if the contours
+/// of a slice could not be split; then the structures stay as they are.
 bool PartRegions(const RegionParting& parting, const Execution& execution,
   const std::vector<Contours>& regions, const std::vector<Contours*>& structures);
 }
