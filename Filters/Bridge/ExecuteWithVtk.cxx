@@ -72,8 +72,8 @@ public:
 private:
   vtkAlgorithm* Filter;
   double Furthest = 0.0;
-  double Told = -1.0;
-  std::chrono::steady_clock::time_point Last;
+  double Told = 0.0;
+  std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
 };
 }
 
