@@ -196,6 +196,13 @@ void GiveBackMemory(const Reconstruction& result)
 #endif
 }
 
+/// Assigning an empty list would keep the memory.
+template <typename Values>
+void Release(Values& values)
+{
+  values = Values();
+}
+
 /// Of the patches, and of G, if triangles are not improved; see Patches.
 vtkIdType CountPoints(const Patches& patches)
 {
@@ -276,24 +283,24 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   const bool isImproved = patches.Improved.Any();
   GiveBackMemory(result);
   SetTriangles(result, execution, surface);
-  patches.Inner.Corners = {};
+  Release(patches.Inner.Corners);
   const PatchValues values = ListPatchValues(result, reportTolerance);
   AddFieldData(result, surface->GetFieldData());
-  result.Cycles.Arcs = {};
+  Release(result.Cycles.Arcs);
   result.Crossings = GridCrossings();
   surface->SetPoints(MakePoints(result, doublePrecision, execution));
   AddDisagreement(result, surface->GetNumberOfPoints(),
     isImproved ? &patches.Improved.Origin : nullptr, surface->GetPointData());
-  result.Graph.Points = {};
+  Release(result.Graph.Points);
   result.Nodes = NodePoints();
-  patches.CentralPoints = {};
-  patches.Inner.Points = {};
-  patches.Improved.Points = {};
+  Release(patches.CentralPoints);
+  Release(patches.Inner.Points);
+  Release(patches.Improved.Points);
   if (arrays.Normals || arrays.Curvatures)
   {
     const std::vector<float> smooth = ListNormals(result, execution);
     result.Normals = SurfaceNormals();
-    patches.Inner.Normals = {};
+    Release(patches.Inner.Normals);
     AddNormals(surface, smooth, execution);
   }
   const CellCycles cycles = std::move(result.Cycles);
