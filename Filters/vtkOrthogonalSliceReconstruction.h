@@ -77,7 +77,8 @@
  *    the triangles around;
  *  - cell data "ComponentId" (int): connected component, numbered from 0;
  *  - cell data "GridCell" (unsigned short, 3 components): the cell of M along x, y, z, where cell
- *    i lies below plane i and above plane i - 1;
+ *    i lies below plane i and above plane i - 1; with few triangles, that of the patch from which
+ *    a triangle is, which may reach into its neighbours;
  *  - cell data "PolygonSize" (unsigned short): number of node points of the spatial polygon (65535
  *    stands for more), of all polygons together where a patch joins several; 0 for isolated
  *    contours;

@@ -71,11 +71,12 @@ vtkSmartPointer<vtkPolyData> UpdateInDouble(FilterRun& run)
   return surface;
 }
 
-/// Surface in double precision.
+/// Surface in double precision, with all triangles: which few there are depends on their order.
 vtkSmartPointer<vtkPolyData> Surface(
   const PieceSets& sets, Form form = Form::ClosedLine, int type = VTK_DOUBLE)
 {
   FilterRun run(sets, form, type);
+  run.Filter->AutomaticAccuracyOff();
   return UpdateInDouble(run);
 }
 

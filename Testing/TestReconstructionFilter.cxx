@@ -792,6 +792,7 @@ TEST(ReconstructionFilter, GridCellsHoldTheirTriangles)
   const Solid solid = TiltedTorus();
   const PlaneSets planes = EqualPlanes(solid, { 13, 14, 16 });
   FilterRun run(SliceSolid(solid, planes, 3, InPlaneGrid::Free));
+  run.Filter->AutomaticAccuracyOff(); // triangles that are shaped well reach into others
   vtkPolyData* surface = run.Update();
   vtkDataArray* cells = surface->GetCellData()->GetArray("GridCell");
   PlaneSets used;

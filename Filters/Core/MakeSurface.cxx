@@ -11,6 +11,7 @@
 #include "Core/Labels/LightenStructures.h"
 #include "Core/PatchAllCells.h"
 #include "Core/Patches/Domes.h"
+#include "Core/Patches/FitError.h"
 #include "Core/Slabs/StitchSlabs.h"
 
 #include <algorithm>

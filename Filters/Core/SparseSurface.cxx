@@ -247,6 +247,9 @@ bool SparseRunner::SketchWithoutField(Pass& pass) const
   SparseSlices sparse(pass);
   sparse.Field = {};
   sparse.Bending.Coarsen();
+  // It is compared with slices, of which few triangles would fall short.
+  pass.Settings.Patching.Accuracy = 0.0;
+  pass.Settings.Patching.OwnAccuracy = false;
   if (!sparse.Any())
   {
     return ConnectContours(pass) && Sketch(this->Sparse.EdgeLength(), pass);

@@ -6,8 +6,7 @@
 #include "Core/Graph/EditGraph.h"
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Labels/CommonNodes.h"
-#include "Core/Labels/PieceMeetings.h"
-#include "Core/Patches/BalancedCurve.h"
+#include "Core/Labels/PieceDrawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +16,6 @@ namespace orthoslices
 {
 namespace
 {
-/// A piece with few vertices.
-struct PieceDrawing
-{
-  std::vector<CurvePlace> Places; ///< on the piece, those between its ends
-  std::vector<Point3> Vertices;   ///< and where they are to be
-  std::array<Point3, 2> Bulges{};
-};
-
 class StructureLightener
 {
 public:
@@ -36,8 +27,6 @@ private:
   void FixPatches(std::size_t structure);
   void FixCycles(std::size_t structure, const Index* first, const Index* last);
   double Tolerance(int axis) const;
-  PieceDrawing Draw(const BorderPiece& piece) const;
-  static PieceDrawing Keep(const BorderPiece& piece);
   void DrawPieces();
   void MoveInside(std::size_t structure);
   void FindMoves();
@@ -110,55 +99,17 @@ double StructureLightener::Tolerance(int axis) const
   return this->Accuracy * least;
 }
 
-PieceDrawing StructureLightener::Draw(const BorderPiece& piece) const
-{
-  const int first = FirstAxis(piece.Axis), second = SecondAxis(piece.Axis);
-  const SpatialGrid& grid = this->Structures.front().Geometry.Grid;
-  std::vector<Point2> curve;
-  for (const Point3& point : piece.Points)
-  {
-    curve.push_back({ point[first], point[second] });
-  }
-  BalancedCurve balanced = BalanceCurve(curve, this->Tolerance(piece.Axis));
-  PieceDrawing drawing;
-  drawing.Places.swap(balanced.Places);
-  for (const Point2& p : balanced.Vertices)
-  {
-    Point3 vertex = piece.Points.front();
-    vertex[first] = grid.Round(p[0]);
-    vertex[second] = grid.Round(p[1]);
-    drawing.Vertices.push_back(vertex);
-  }
-  for (int end = 0; end < 2; ++end)
-  {
-    drawing.Bulges[end] = Point3{ 0.0, 0.0, 0.0 };
-    drawing.Bulges[end][first] = balanced.Bulges[end][0];
-    drawing.Bulges[end][second] = balanced.Bulges[end][1];
-  }
-  return drawing;
-}
-
-PieceDrawing StructureLightener::Keep(const BorderPiece& piece)
-{
-  PieceDrawing drawing;
-  for (std::size_t i = 1; i + 1 < piece.Points.size(); ++i)
-  {
-    drawing.Places.push_back({ i, 0.0, {} });
-    drawing.Vertices.push_back(piece.Points[i]);
-  }
-  return drawing;
-}
-
 void StructureLightener::DrawPieces()
 {
   const std::vector<BorderPiece>& pieces = this->Borders.Pieces;
+  const SpatialGrid& grid = this->Structures.front().Geometry.Grid;
   this->Drawings.resize(pieces.size());
   this->Execute.For(pieces.size(),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        this->Drawings[i] = this->Draw(pieces[i]);
+        this->Drawings[i] = DrawPiece(grid, pieces[i], this->Tolerance(pieces[i].Axis));
       }
     });
   for (std::size_t i = 0; i < this->Structures.size(); ++i)
@@ -345,22 +296,7 @@ bool StructureLightener::FixMeetings(const std::vector<LightGraph>& light)
   std::vector<PieceSide> sides;
   for (std::size_t i = 0; i < this->Drawings.size(); ++i)
   {
-    const BorderPiece& piece = this->Borders.Pieces[i];
-    std::vector<Point3> points{ piece.Points.front() };
-    const std::vector<Point3>& vertices = this->Drawings[i].Vertices;
-    points.insert(points.end(), vertices.begin(), vertices.end());
-    points.push_back(piece.Points.back());
-    for (Point3* end : { &points.front(), &points.back() })
-    {
-      const auto found = moved.find(*end);
-      *end = found != moved.end() ? found->second : *end;
-    }
-    const int u = FirstAxis(piece.Axis), v = SecondAxis(piece.Axis);
-    for (std::size_t k = 0; k + 1 < points.size(); ++k)
-    {
-      sides.push_back({ piece.Axis, points[k][piece.Axis], { points[k][u], points[k][v] },
-        { points[k + 1][u], points[k + 1][v] }, static_cast<Index>(i) });
-    }
+    AddSides(this->Borders.Pieces[i], this->Drawings[i], moved, static_cast<Index>(i), sides);
   }
   bool any = false;
   for (const auto& [first, second] : FindMeetings(sides))
@@ -385,7 +321,7 @@ std::vector<LightGraph> StructureLightener::Run()
     {
       if (this->Borders.Pieces[i].IsFixed)
       {
-        this->Drawings[i] = Keep(this->Borders.Pieces[i]);
+        this->Drawings[i] = KeepPiece(this->Borders.Pieces[i]);
       }
     }
     this->FindMoves();

@@ -70,9 +70,9 @@ struct Workshop
     const double spacing = MinMeanSpacing(grid);
     if (options.Accuracy > 0.0)
     {
-      return { RadiiOfEdge * options.EdgeLength, 0.0, options.Accuracy };
+      return { RadiiOfEdge * options.EdgeLength, 0.0, options.Accuracy, options.KeepContours };
     }
-    return { options.EdgeLength * spacing, options.ChordTolerance * spacing, 0.0 };
+    return { options.EdgeLength * spacing, options.ChordTolerance * spacing };
   }
 
   /// The polygons that the triangles have as their borders.
@@ -301,8 +301,8 @@ void Share(const PatchTables& tables, const std::vector<Index>& meshOf, const In
     {
       continue;
     }
-    border.Set(Workshop::OutlinesOf(tables),
-      tables.Light ? tables.Light->Normals : tables.Normals, cycle);
+    border.Set(
+      Workshop::OutlinesOf(tables), tables.Light ? tables.Light->Normals : tables.Normals, cycle);
     const Index first = border.Turn(), size = border.Count();
     const bool isInner = next < patches.Count() && patches.Cycle[next] == cycle;
     InnerPatch patch =
@@ -317,25 +317,6 @@ void Share(const PatchTables& tables, const std::vector<Index>& meshOf, const In
 bool NeedsNormals(PatchMethod method) { return method != PatchMethod::Fan; }
 
 bool GivesNormals(PatchMethod method) { return method == PatchMethod::Smooth; }
-
-double FitError(const PatchTables& tables)
-{
-  constexpr Index most = 400; // the error of their mean is a twentieth
-  SmoothPatchBuilder builder(tables.Geometry.Grid, PatchResolution());
-  PatchBorder border;
-  double sum = 0.0, count = 0.0;
-  const Index cycles = tables.Geometry.Cycles.Count();
-  for (Index cycle = 0; cycle < cycles; cycle += 1 + cycles / most)
-  {
-    border.Set(tables.Geometry, tables.Normals, cycle);
-    if (builder.Fit(border))
-    {
-      sum += builder.Deviation() * builder.Deviation();
-      count += 1.0;
-    }
-  }
-  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
-}
 
 InnerPatches BuildInnerPatches(
   const PatchTables& tables, const PatchOptions& options, const Execution& execution)

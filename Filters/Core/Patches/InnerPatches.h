@@ -115,13 +115,6 @@ struct PatchTables
 };
 
 /**
- * How far contours lie off surfaces without creases that are fitted to each patch, RMS of at most a
- * few hundred patches, in world units: about as far as the smooth patches are from the object
- * between its contours. 0 if there are no patches that tell.
- */
-double FitError(const PatchTables& tables);
-
-/**
  * Fills the cycles that are in no mesh. Of borders with corners, those for which that explains more
  * get a crease, and the others a smooth patch. Cycles that cannot be filled as asked for, and loops
  * with Coons, get none: they stay fans around their central point. So do those whose patch would

@@ -247,7 +247,8 @@ bool SmoothPatchBuilder::Triangulate(const PatchBorder& border, const PatchBorde
   const Index n = outline.Count();
   const std::size_t maxPoints = MaxPoints(polygon.size());
   this->Disc.MakeDelaunay();
-  const double minSide = this->Resolution.Accuracy > 0.0 ? MinLightSide : MinSide;
+  const double minSide =
+    this->Resolution.Accuracy > 0.0 && !this->Resolution.KeepsBorder ? MinLightSide : MinSide;
   this->Disc.Refine(this->SizeOfTriangles(), maxPoints, minSide);
   // No side between two points of the border may lie on a face of the cell.
   this->Disc.SplitSides(

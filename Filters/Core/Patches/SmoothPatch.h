@@ -19,6 +19,9 @@ struct PatchResolution
   /// See PatchOptions. If it is not 0, it takes the place of ChordTolerance, and EdgeLength is a
   /// share of each patch's mean radius.
   double Accuracy = 0.0;
+  /// Whether triangles become as small as short sides of the border ask for, also if they are to be
+  /// few: where the border keeps such sides.
+  bool KeepsBorder = false;
 };
 
 /**

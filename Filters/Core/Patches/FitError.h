@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesFitError_h
+#define OrthoSlicesFitError_h
+
+#include "Core/Patches/InnerPatches.h"
+
+namespace orthoslices
+{
+/**
+ * How far contours lie off surfaces without creases that are fitted to each patch, RMS of at most a
+ * few hundred patches, in world units: about as far as the smooth patches are from the object
+ * between its contours. 0 if there are no patches that tell.
+ */
+double FitError(const PatchTables& tables);
+}
+
+#endif
