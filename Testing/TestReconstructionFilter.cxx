@@ -5,6 +5,7 @@
  * @brief   vtkOrthogonalSliceReconstruction as VTK users expect it
  */
 
+#include "Bridge/ExecuteWithVtk.h"
 #include "Support/CheckEmbedding.h"
 #include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
@@ -36,6 +37,7 @@
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
 #include "vtkStripper.h"
 #include "vtkTable.h"
@@ -46,10 +48,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <set>
 #include <sstream>
+#include <string>
+#include <thread>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -604,7 +609,7 @@ TEST(ReconstructionFilter, ProgressRisesToOne)
 TEST(ReconstructionFilter, AbortsAtAnyProgress)
 {
   FilterRun run(ParsePieces(Cube()));
-  for (double limit : { 0.1, 0.4, 0.6 })
+  for (double limit : { 0.02, 0.1, 0.4, 0.6, 0.8, 0.87, 0.95 })
   {
     SCOPED_TRACE(limit);
     vtkNew<vtkCallbackCommand> command;
@@ -626,6 +631,54 @@ TEST(ReconstructionFilter, AbortsAtAnyProgress)
     run.Filter->SetAbortExecute(0);
     run.Filter->Modified();
     EXPECT_GT(run.Update()->GetNumberOfCells(), 0);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(ReconstructionFilter, SaysWhatItIsDoing)
+{
+  FilterRun run(Stomach());
+  std::set<std::string> texts;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&texts);
+  command->SetCallback(
+    [](vtkObject* filter, unsigned long, void* list, void*)
+    {
+      const char* text = static_cast<vtkAlgorithm*>(filter)->GetProgressText();
+      static_cast<std::set<std::string>*>(list)->insert(text ? text : "");
+    });
+  run.Filter->AddObserver(vtkCommand::ProgressEvent, command);
+  run.Update();
+  EXPECT_GT(texts.size(), 5u);
+  EXPECT_EQ(texts.count("Filling cycles"), 1u);
+}
+
+//----------------------------------------------------------------------------
+/// Loops run in as many threads as the user allows, and in one within a loop of VTK.
+TEST(ReconstructionFilter, ThreadsKeepToTheLimit)
+{
+  vtkSMPTools::Initialize(1);
+  EXPECT_EQ(NumberOfThreads(), 1);
+  vtkSMPTools::Initialize(0);
+  const int all = NumberOfThreads();
+  EXPECT_GE(all, 1);
+  EXPECT_LE(all, static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  if (all > 1)
+  {
+    vtkSMPTools::Initialize(2);
+    EXPECT_EQ(NumberOfThreads(), 2);
+    vtkSMPTools::Initialize(0);
+    std::atomic<int> most{ 0 };
+    vtkSMPTools::For(0, 64, 1,
+      [&](vtkIdType, vtkIdType)
+      {
+        const int threads = vtkSMPTools::IsParallelScope() ? NumberOfThreads() : 1;
+        int before = most;
+        while (before < threads && !most.compare_exchange_weak(before, threads))
+        {
+        }
+      });
+    EXPECT_EQ(most, 1);
   }
 }
 

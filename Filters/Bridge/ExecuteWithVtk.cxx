@@ -15,6 +15,10 @@
 #include <string>
 #include <thread>
 
+#ifdef __linux__
+#include <sched.h>
+#endif
+
 namespace orthoslices
 {
 namespace
@@ -45,6 +49,20 @@ int LimitOfThreads()
   return config.MaxNumberOfThreads > 0 ? config.MaxNumberOfThreads : std::max(0, most);
 }
 
+/// The processors that this process may run on: fewer than the machine has where it is bound to
+/// some of them, as ranks of a parallel ParaView are.
+int CountProcessors()
+{
+#ifdef __linux__
+  cpu_set_t allowed;
+  if (sched_getaffinity(0, sizeof(allowed), &allowed) == 0)
+  {
+    return std::max(1, CPU_COUNT(&allowed));
+  }
+#endif
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
 /// Tells a filter's observers of progress, which never goes back.
 class ProgressTeller
 {
@@ -72,8 +90,8 @@ public:
 private:
   vtkAlgorithm* Filter;
   double Furthest = 0.0;
-  double Told = -1.0;
-  std::chrono::steady_clock::time_point Last;
+  double Told = 0.0;
+  std::chrono::steady_clock::time_point Last = std::chrono::steady_clock::now();
 };
 }
 
@@ -91,9 +109,8 @@ int NumberOfThreads()
   {
     return 1;
   }
-  const int ofMachine = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int limit = LimitOfThreads();
-  return limit > 0 ? std::min(limit, ofMachine) : ofMachine;
+  return limit > 0 ? std::min(limit, CountProcessors()) : CountProcessors();
 }
 
 Execution ExecuteWithVtk(vtkAlgorithm* filter)

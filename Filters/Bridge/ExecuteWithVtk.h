@@ -11,9 +11,9 @@ namespace orthoslices
 {
 /**
  * The threads that a filter may use: as many as vtkSMPTools would. Where VTK was built to run its
- * loops in one thread by default, and nobody has asked for that, as many as the machine has; the
- * limits of vtkSMPTools::Initialize and VTK_SMP_MAX_THREADS hold in any case. 1 within a parallel
- * loop of VTK.
+ * loops in one thread by default, and nobody has asked for that, as many as there are processors
+ * for this process; the limits of vtkSMPTools::Initialize and VTK_SMP_MAX_THREADS hold in any case.
+ * 1 within a parallel loop of VTK.
  */
 int NumberOfThreads();
 

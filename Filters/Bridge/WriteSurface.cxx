@@ -25,6 +25,10 @@
 #include <limits>
 #include <utility>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace orthoslices
 {
 namespace
@@ -174,6 +178,30 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
 
 namespace
 {
+/// From so many triangles on, memory that was released goes back to the system.
+constexpr std::int64_t ManyTriangles = 100000;
+
+/// Gives memory that was released back to the system. What small blocks took stays with the process
+/// otherwise, and large arrays come on top of it.
+void GiveBackMemory(const Reconstruction& result)
+{
+#ifdef __GLIBC__
+  if (result.Surface.TriangleCount() >= ManyTriangles)
+  {
+    malloc_trim(0);
+  }
+#else
+  static_cast<void>(result);
+#endif
+}
+
+/// Assigning an empty list would keep the memory.
+template <typename Values>
+void Release(Values& values)
+{
+  values = Values();
+}
+
 /// Of the patches, and of G, if triangles are not improved; see Patches.
 vtkIdType CountPoints(const Patches& patches)
 {
@@ -251,25 +279,26 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   Reconstruction result = std::move(consumed);
   Patches& patches = result.Surface;
   const bool isImproved = patches.Improved.Any();
+  GiveBackMemory(result);
   SetTriangles(result, execution, surface);
-  patches.Inner.Corners = {};
+  Release(patches.Inner.Corners);
   const PatchValues values = ListPatchValues(result, reportTolerance);
   AddFieldData(result, surface->GetFieldData());
-  result.Cycles.Arcs = {};
+  Release(result.Cycles.Arcs);
   result.Crossings = GridCrossings();
   surface->SetPoints(MakePoints(result, doublePrecision, execution));
   AddDisagreement(result, surface->GetNumberOfPoints(),
     isImproved ? &patches.Improved.Origin : nullptr, surface->GetPointData());
-  result.Graph.Points = {};
+  Release(result.Graph.Points);
   result.Nodes = NodePoints();
-  patches.CentralPoints = {};
-  patches.Inner.Points = {};
-  patches.Improved.Points = {};
+  Release(patches.CentralPoints);
+  Release(patches.Inner.Points);
+  Release(patches.Improved.Points);
   if (arrays.Normals || arrays.Curvatures)
   {
     const std::vector<float> smooth = ListNormals(result, execution);
     result.Normals = SurfaceNormals();
-    patches.Inner.Normals = {};
+    Release(patches.Inner.Normals);
     AddNormals(surface, smooth, execution);
   }
   const CellCycles cycles = std::move(result.Cycles);

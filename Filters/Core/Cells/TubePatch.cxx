@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Cells/TubePatch.h"
 
+#include "Core/Base/Box.h"
 #include "Core/Base/Vectors.h"
 
 #include <algorithm>
@@ -53,19 +54,58 @@ std::vector<PointPair> PairByLength(
   return pairs;
 }
 
+/// Points of a curve that are passed over together if none of them can be near.
+constexpr Index BlockSize = 64;
+
+/// The square of how far a point is from a box, at most what SquaredDistance has for a point in it.
+double SquaredDistanceToBox(const Point3& p, const Box3& box)
+{
+  Point3 gap;
+  for (int k = 0; k < 3; ++k)
+  {
+    gap[k] = std::max({ 0.0, box.Low[k] - p[k], p[k] - box.High[k] });
+  }
+  return Dot(gap, gap);
+}
+
+/// The points of two curves that are nearest to each other, among all or those on borders; of
+/// several pairs, the first one.
+PointPair FindNearest(const PatchCurve& a, const PatchCurve& b, bool onBorders)
+{
+  const auto counts = [&](const PatchCurve& curve, Index i)
+  { return !onBorders || curve.Corners[i] >= 0; };
+  std::vector<Box3> boxes((b.Count() + BlockSize - 1) / BlockSize);
+  for (Index j = 0; j < b.Count(); ++j)
+  {
+    boxes[j / BlockSize].Add(b.Points[j]);
+  }
+  PointPair nearest;
+  for (Index i = 0; i < a.Count(); ++i)
+  {
+    for (std::size_t block = 0; block < boxes.size() && counts(a, i); ++block)
+    {
+      if (SquaredDistanceToBox(a.Points[i], boxes[block]) >= nearest.Distance2)
+      {
+        continue;
+      }
+      const Index first = static_cast<Index>(block) * BlockSize;
+      for (Index j = first; j < std::min(b.Count(), first + BlockSize); ++j)
+      {
+        const double distance2 = SquaredDistance(a.Points[i], b.Points[j]);
+        if (distance2 < nearest.Distance2 && counts(b, j))
+        {
+          nearest = { i, j, distance2 };
+        }
+      }
+    }
+  }
+  return nearest;
+}
 }
 
 std::vector<PointPair> PairPoints(const PatchCurve& a, const PatchCurve& b)
 {
-  PointPair start;
-  for (Index i = 0; i < a.Count(); ++i)
-  {
-    for (Index j = 0; j < b.Count(); ++j)
-    {
-      const double distance2 = SquaredDistance(a.Points[i], b.Points[j]);
-      start = distance2 < start.Distance2 ? PointPair{ i, j, distance2 } : start;
-    }
-  }
+  const PointPair start = FindNearest(a, b, false);
   const std::size_t n = a.Count();
   const std::size_t m = b.Count();
   if ((n + 1) * (m + 1) > MaxPairs)
@@ -127,19 +167,7 @@ std::vector<PointPair> PairPoints(const PatchCurve& a, const PatchCurve& b)
 
 PointPair FindNearestOnBorders(const PatchCurve& a, const PatchCurve& b)
 {
-  PointPair best;
-  for (Index i = 0; i < a.Count(); ++i)
-  {
-    for (Index j = 0; j < b.Count() && a.Corners[i] >= 0; ++j)
-    {
-      const double distance2 = SquaredDistance(a.Points[i], b.Points[j]);
-      if (b.Corners[j] >= 0 && distance2 < best.Distance2)
-      {
-        best = { i, j, distance2 };
-      }
-    }
-  }
-  return best;
+  return FindNearest(a, b, true);
 }
 
 TubePatch::TubePatch(const CycleGeometry& geometry, const std::vector<Index>& cycles)

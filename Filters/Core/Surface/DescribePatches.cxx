@@ -93,12 +93,12 @@ std::vector<float> ListSmoothNormals(const SurfaceNormals& normals, const Patche
   all.assign(3 * static_cast<std::size_t>(points), 0.0f);
   const auto copy = [&](const float* first, const float* last, std::int64_t id)
   { std::copy(first, last, all.begin() + 3 * id); };
-  execution.For(normals.Corners.size(),
+  execution.For(normals.Normals.size() / 3,
     [&](std::size_t begin, std::size_t end)
     {
       const float* ofGraph = normals.Normals.data();
       copy(ofGraph + 3 * begin, ofGraph + 3 * end, static_cast<std::int64_t>(begin));
-      for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t i = begin; i < std::min(end, normals.Corners.size()); ++i)
       {
         std::fill_n(all.begin() + 3 * i, normals.Corners[i] != 0 ? 3 : 0, 0.0f);
       }

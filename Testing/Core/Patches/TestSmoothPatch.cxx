@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Patches/SmoothPatch.h"
+#include "Core/Planar/SimplePolygon.h"
 
 #include "Core/Base/Vectors.h"
 #include "Support/CheckPatch.h"

@@ -105,5 +105,11 @@ TEST(DescribePatches, SmoothNormalsStandAtThePointsOfTheSurface)
     const std::int64_t id = std::int64_t(graphPoints) + inner.Cycle[i];
     EXPECT_EQ(normals[3 * id], inner.Normals[3 * inner.PointOffsets[i]]);
   }
+  // Of contours without any corner nothing is said of corners.
+  SurfaceNormals smooth = result.Normals;
+  smooth.Corners.clear();
+  const auto all = ListSmoothNormals(smooth, result.Surface, graphPoints, points);
+  ASSERT_EQ(all.size(), 3u * points);
+  EXPECT_TRUE(std::equal(smooth.Normals.begin(), smooth.Normals.end(), all.begin()));
   EXPECT_TRUE(ListSmoothNormals(SurfaceNormals(), result.Surface, graphPoints, points).empty());
 }
