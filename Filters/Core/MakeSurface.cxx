@@ -29,16 +29,16 @@ constexpr double ShareOfTriangles = 0.4;
 /// planes per axis get a twentieth more RMS distance in the mean, most of them from a seventh of
 /// the triangles or less. Rough shapes get less than in proportion, as their errors are in few
 /// places.
-constexpr double AccuracyByError = 4.3;
-constexpr double AccuracyByRoot = 0.31;
+constexpr double AccuracyByError = 4.2;
+constexpr double AccuracyByRoot = 0.33;
 constexpr double LeastAccuracy = 0.002; ///< exact data need no end of triangles
 
 /// The part of what slices disagree on, RMS, that the surface may be off them in any case. What is
 /// asked for in addition would reproduce noise.
-constexpr double ShareOfDisagreement = 0.5;
+constexpr double ShareOfDisagreement = 1.0;
 
 /// Triangles with a smaller angle are improved, in degrees: somewhat above the 20 that are wanted.
-constexpr double GoodAngle = 25.0;
+constexpr double GoodAngle = 22.0;
 
 /// One repair for each patch between real slices that became a shell.
 std::vector<Repair> DescribeShells(const Reconstruction& result)
@@ -231,14 +231,15 @@ LightGraph DrawOutlines(double accuracy, Pass& pass)
 }
 
 /// Triangles of good shape, if they are to be few.
-void ImproveIfLight(double accuracy, const LightGraph& light, Pass& pass)
+void ImproveIfLight(double accuracy, Pass& pass)
 {
   Reconstruction& result = pass.Result;
-  if (light.Any() && result.Grid.Metric.IsWorld())
+  if (accuracy > 0.0 && result.Grid.Metric.IsWorld())
   {
-    const double tolerance = ShareOfTriangles * accuracy * MinMeanSpacing(result.Grid);
-    ImproveSurface(
-      GeometryOf(result), result.Normals, { tolerance, GoodAngle }, pass.Execute, result.Surface);
+    ImprovementLimits limits;
+    limits.Tolerance = ShareOfTriangles * accuracy * MinMeanSpacing(result.Grid);
+    limits.SmallAngle = GoodAngle;
+    ImproveSurface(GeometryOf(result), result.Normals, limits, pass.Execute, result.Surface);
   }
   pass.Finish(Stage::ImproveSurface);
 }
@@ -268,7 +269,7 @@ bool FillCycles(const PatchOptions& options, Pass& pass)
   pass.Finish(Stage::BuildInnerPatches);
   LayOutTriangles(result.Graph, result.Cycles, result.Surface);
   pass.Finish(Stage::LayOutTriangles);
-  ImproveIfLight(patching.Accuracy, light, pass);
+  ImproveIfLight(patching.Accuracy, pass);
   return pass.GoOn(0.8);
 }
 }
