@@ -67,7 +67,7 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
   cells->SetData(offsets, connectivity);
 }
 
-/// The normals of some of all points, x, y and z of each.
+/// The normals of some of all points, x, y and z of each; zero for -1, a new point.
 std::vector<float> SelectNormals(
   const std::vector<float>& normals, const std::vector<std::int64_t>& points)
 {
@@ -75,6 +75,11 @@ std::vector<float> SelectNormals(
   selected.reserve(3 * points.size());
   for (const std::int64_t point : points)
   {
+    if (point < 0)
+    {
+      selected.insert(selected.end(), 3, 0.0f);
+      continue;
+    }
     const auto first = normals.begin() + static_cast<std::ptrdiff_t>(3 * point);
     selected.insert(selected.end(), first, first + 3);
   }
@@ -91,7 +96,7 @@ void AddDisagreement(const Reconstruction& result, vtkIdType count,
   for (vtkIdType i = 0; i < count; ++i)
   {
     const std::int64_t point = some ? (*some)[i] : i;
-    if (point >= result.Graph.Nodes)
+    if (point < 0 || point >= result.Graph.Nodes)
     {
       break;
     }
