@@ -57,17 +57,6 @@ std::vector<PointPair> PairByLength(
 /// Points of a curve that are passed over together if none of them can be near.
 constexpr Index BlockSize = 64;
 
-/// The square of how far a point is from a box, at most what SquaredDistance has for a point in it.
-double SquaredDistanceToBox(const Point3& p, const Box3& box)
-{
-  Point3 gap;
-  for (int k = 0; k < 3; ++k)
-  {
-    gap[k] = std::max({ 0.0, box.Low[k] - p[k], p[k] - box.High[k] });
-  }
-  return Dot(gap, gap);
-}
-
 /// The points of two curves that are nearest to each other, among all or those on borders; of
 /// several pairs, the first one.
 PointPair FindNearest(const PatchCurve& a, const PatchCurve& b, bool onBorders)
@@ -84,7 +73,7 @@ PointPair FindNearest(const PatchCurve& a, const PatchCurve& b, bool onBorders)
   {
     for (std::size_t block = 0; block < boxes.size() && counts(a, i); ++block)
     {
-      if (SquaredDistanceToBox(a.Points[i], boxes[block]) >= nearest.Distance2)
+      if (boxes[block].SquaredDistanceTo(a.Points[i]) >= nearest.Distance2)
       {
         continue;
       }
