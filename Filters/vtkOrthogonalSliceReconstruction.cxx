@@ -11,8 +11,11 @@
 #include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
+#include "Bridge/GatherInputs.h"
+#include "Bridge/ProcessGroup.h"
 #include "Bridge/ReadLabels.h"
 #include "Bridge/ReadPieces.h"
+#include "Bridge/TakePiece.h"
 #include "Bridge/TimeSteps.h"
 #include "Bridge/WriteComponents.h"
 #include "Bridge/WriteGraph.h"
@@ -25,6 +28,7 @@
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -38,6 +42,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkOrthogonalSliceReconstruction);
+vtkCxxSetObjectMacro(vtkOrthogonalSliceReconstruction, Controller, vtkMultiProcessController);
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -57,6 +62,12 @@ vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
 {
   this->SetNumberOfInputPorts(InputPorts);
   this->SetNumberOfOutputPorts(8);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkOrthogonalSliceReconstruction::~vtkOrthogonalSliceReconstruction()
+{
+  this->SetController(nullptr);
 }
 
 int vtkOrthogonalSliceReconstruction::FillInputPortInformation(int, vtkInformation* info)
@@ -136,17 +147,29 @@ int vtkOrthogonalSliceReconstruction::RequestInformation(
   return 1;
 }
 
-int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+namespace
 {
-  // Contours of all pieces belong together: every request needs the whole input.
+/// What is asked of an output for which the pipeline passes on a request.
+vtkInformation* RequestOf(vtkInformation* request, vtkInformationVector* outputs)
+{
+  const int from = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  return outputs->GetInformationObject(from);
+}
+}
+
+int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  // Contours of all pieces belong together: one process needs the whole input, several exchange
+  // what each of them has.
+  const orthoslices::ProcessGroup group(this->Controller, RequestOf(request, outputs));
   for (int port = 0; port < InputPorts; ++port)
   {
     vtkInformation* input = inputs[port]->GetInformationObject(0);
     if (input != nullptr)
     {
-      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), group.GetRanks().Rank);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), group.GetRanks().Count);
       input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
     }
   }
@@ -158,14 +181,82 @@ int vtkOrthogonalSliceReconstruction::RequestData(
 {
   orthoslices::ClearFieldData(outputs);
   orthoslices::MarkTime(this->ListInputs(), outputs);
-  const int from = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
-  if (outputs->GetInformationObject(from)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
+  vtkInformation* asked = RequestOf(request, outputs);
+  orthoslices::ProcessGroup group(this->Controller, asked);
+  if (!group.IsParallel())
   {
-    return 1; // the first process makes the whole surface
+    // Without other processes, the first piece is the whole surface.
+    return asked->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0 || this->MakeOutputs(inputs, outputs);
   }
+  this->Processes = &group;
+  bool done = false;
+  try
+  {
+    done = this->MakePieces(inputs, outputs);
+    const bool aborted = this->GetAbortExecute() != 0;
+    done && !aborted ? group.Finish() : group.Fail(aborted ? "aborted." : "reported an error.");
+  }
+  catch (const std::exception& failure)
+  {
+    done = false;
+    group.Fail(failure.what());
+    vtkErrorMacro(<< failure.what());
+  }
+  this->Processes = nullptr;
+  this->GatheredInputs.clear();
+  for (int port = 0; port < this->GetNumberOfOutputPorts() && !done; ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+  return done ? 1 : 0;
+}
+
+/// The piece of this process, and on the first one all other outputs.
+bool vtkOrthogonalSliceReconstruction::MakePieces(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const orthoslices::Ranks& ranks = this->Processes->GetRanks();
+  if (!this->CheckProperties())
+  {
+    return false;
+  }
+  std::vector<vtkDataObject*> own;
+  for (int port = 0; port < InputPorts; ++port)
+  {
+    own.push_back(vtkDataObject::GetData(inputs[port]));
+  }
+  this->GatheredInputs = orthoslices::GatherInputs(own, ranks);
+  vtkNew<vtkInformationVector> ofPorts[InputPorts];
+  vtkInformationVector* gathered[InputPorts];
+  for (int port = 0; port < InputPorts; ++port)
+  {
+    gathered[port] = ofPorts[port];
+    if (this->GatheredInputs[port] != nullptr)
+    {
+      vtkNew<vtkInformation> info;
+      info->Set(vtkDataObject::DATA_OBJECT(), this->GatheredInputs[port]);
+      gathered[port]->Append(info);
+    }
+  }
+  if (!this->MakeOutputs(gathered, outputs))
+  {
+    return false;
+  }
+  orthoslices::TakePiece(ranks, vtkPolyData::GetData(outputs, 0));
+  for (int port = 1; port < this->GetNumberOfOutputPorts() && ranks.Rank > 0; ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+  return true;
+}
+
+/// All outputs, of all contours of the inputs.
+bool vtkOrthogonalSliceReconstruction::MakeOutputs(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
   if (!this->CheckProperties() || !this->CheckInputs(inputs))
   {
-    return 0;
+    return false;
   }
   orthoslices::Options options;
   this->GetOptions(options);
@@ -188,7 +279,16 @@ int vtkOrthogonalSliceReconstruction::RequestData(
     orthoslices::CarryFieldData(
       this->ListInputs(), vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1));
   }
-  return done ? 1 : 0;
+  return done;
+}
+
+/// Warns the user, once in a parallel run: all processes have the same to say.
+void vtkOrthogonalSliceReconstruction::Warn(const std::string& text)
+{
+  if (this->Processes == nullptr || this->Processes->IsFirst())
+  {
+    vtkWarningMacro(<< text);
+  }
 }
 
 /// The outputs of one structure, or the reason why there are none, and what else to tell the user.
@@ -230,7 +330,7 @@ bool vtkOrthogonalSliceReconstruction::ReconstructAll(orthoslices::SortedSlices&
   }
   else if (!text.empty())
   {
-    vtkWarningMacro(<< text);
+    this->Warn(text);
   }
   return done;
 }
@@ -272,8 +372,8 @@ orthoslices::ContourLabels vtkOrthogonalSliceReconstruction::ReadLabels(
   }
   else if (labels.Unlabelled > 0)
   {
-    vtkWarningMacro(<< labels.Unlabelled << " contours have no label in the cell array \""
-                    << this->LabelArray << "\" and take no part in any surface.");
+    this->Warn(std::to_string(labels.Unlabelled) + " contours have no label in the cell array \"" +
+      this->LabelArray + "\" and take no part in any surface.");
   }
   return labels;
 }
@@ -340,15 +440,21 @@ bool vtkOrthogonalSliceReconstruction::WriteLabels(orthoslices::LabelSurfaces&& 
   appended.Finish();
   if (!(refused.str() + report.str()).empty())
   {
-    vtkWarningMacro(<< refused.str() << report.str());
+    this->Warn(refused.str() + report.str());
   }
   return true;
 }
 
-/// The inputs of all ports; null where there is none.
+/// The inputs of all ports, those of all processes while these make a surface together; null where
+/// there is none.
 std::vector<vtkDataObject*> vtkOrthogonalSliceReconstruction::ListInputs()
 {
   std::vector<vtkDataObject*> inputs;
+  if (!this->GatheredInputs.empty())
+  {
+    inputs.assign(this->GatheredInputs.begin(), this->GatheredInputs.end());
+    return inputs;
+  }
   for (int port = 0; port < InputPorts; ++port)
   {
     const bool isConnected = this->GetNumberOfInputConnections(port) > 0;
