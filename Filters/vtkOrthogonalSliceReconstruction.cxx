@@ -629,9 +629,8 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
 }
 
 /// Contours on planes of no family: how far the surface is from them, for the table and as text.
-std::string vtkOrthogonalSliceReconstruction::CompareOthers(
-  const orthoslices::Polylines& others, const std::vector<std::uint8_t>& guiding,
-  vtkInformationVector* outputs) const
+std::string vtkOrthogonalSliceReconstruction::CompareOthers(const orthoslices::Polylines& others,
+  const std::vector<std::uint8_t>& guiding, vtkInformationVector* outputs) const
 {
   const std::vector<orthoslices::Agreement> distances =
     orthoslices::MeasureDistances(others, vtkPolyData::GetData(outputs, 0));

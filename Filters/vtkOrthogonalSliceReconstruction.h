@@ -926,7 +926,7 @@ private:
   std::vector<vtkDataObject*> ListInputs();
 
   vtkMultiProcessController* Controller = nullptr;
-  orthoslices::ProcessGroup* Processes = nullptr; ///< during a parallel RequestData
+  orthoslices::ProcessGroup* Processes = nullptr;             ///< during a parallel RequestData
   std::vector<vtkSmartPointer<vtkDataObject>> GatheredInputs; ///< of all ports, then
   std::string LabelArray;
   vtkNew<vtkStringArray> CellArrayNames; ///< see GetCellArrayNames

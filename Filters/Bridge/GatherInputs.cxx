@@ -62,8 +62,9 @@ Ranks::Bytes Pack(const std::vector<vtkDataObject*>& inputs)
       AppendBlock(carrier, { number, 0, 1, 0 }, bytes);
     }
     VisitPolyData(inputs[port],
-      [&](vtkPolyData* data, Index block)
-      { AppendBlock(data, { number, block, isComposite ? 1 : 0, 0 }, bytes); });
+      [&](vtkPolyData* data, Index block) {
+        AppendBlock(data, { number, block, isComposite ? 1 : 0, 0 }, bytes);
+      });
   }
   return bytes;
 }

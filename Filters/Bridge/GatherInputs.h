@@ -17,7 +17,7 @@ namespace orthoslices
  * Gives all processes the contours of all: the inputs of all ports as one process would have them.
  * Contours of one block stand in the order of the processes; blocks have the flat indices that they
  * have in each. Points, cells, cell arrays and field data are those of the processes; of field data
- * with one name, those of the first process. What a process has the same, bit by bit, as one before
+ * with one name, those of the first process that has it. What a process has the same, bit by bit, as one before
  * it is a source that does not divide its output, and counts once.
  */
 std::vector<vtkSmartPointer<vtkDataObject>> GatherInputs(

@@ -61,12 +61,12 @@ std::vector<Ranks::Bytes> ProcessGroup::ExchangeBytes(
     received.resize(static_cast<std::size_t>(total) + 1); // never without an address
     const vtkIdType length = lengths[this->Processes.Rank];
     const char* from = length > 0 ? own.data() + done : received.data();
-    Require(this->Controller->AllGatherV(
-      from, received.data(), length, lengths.data(), offsets.data()));
+    Require(
+      this->Controller->AllGatherV(from, received.data(), length, lengths.data(), offsets.data()));
     for (std::size_t i = 0; i < count; ++i)
     {
-      all[i].insert(all[i].end(), received.begin() + offsets[i],
-        received.begin() + offsets[i] + lengths[i]);
+      all[i].insert(
+        all[i].end(), received.begin() + offsets[i], received.begin() + offsets[i] + lengths[i]);
     }
   }
   return all;

@@ -130,8 +130,8 @@ void TakePiece(const Ranks& ranks, vtkPolyData* surface)
   {
     return;
   }
-  const Share share = ShareOf(ranks, static_cast<std::size_t>(surface->GetNumberOfPolys()),
-    [](std::size_t) { return 1.0; });
+  const Share share = ShareOf(
+    ranks, static_cast<std::size_t>(surface->GetNumberOfPolys()), [](std::size_t) { return 1.0; });
   const vtkIdType first = static_cast<vtkIdType>(share.First);
   const vtkIdType last = static_cast<vtkIdType>(share.Last);
   const PointsOfPiece points = FindPoints(surface, first, last);
