@@ -30,6 +30,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
@@ -242,7 +243,11 @@ bool vtkOrthogonalSliceReconstruction::MakePieces(
   {
     return false;
   }
-  orthoslices::TakePiece(ranks, vtkPolyData::GetData(outputs, 0));
+  vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
+  if (surface->GetPointData()->GetGlobalIds() == nullptr)
+  {
+    orthoslices::TakePiece(ranks, surface); // it could not be made in pieces
+  }
   for (int port = 1; port < this->GetNumberOfOutputPorts() && ranks.Rank > 0; ++port)
   {
     vtkDataObject::GetData(outputs, port)->Initialize();
@@ -272,6 +277,10 @@ bool vtkOrthogonalSliceReconstruction::MakeOutputs(
   }
   else
   {
+    if (this->Processes != nullptr && this->CanBeDivided(sorted))
+    {
+      options.Processes = &this->Processes->GetRanks();
+    }
     done = this->ReconstructAll(std::move(sorted), options, outputs);
   }
   if (done)
@@ -280,6 +289,14 @@ bool vtkOrthogonalSliceReconstruction::MakeOutputs(
       this->ListInputs(), vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1));
   }
   return done;
+}
+
+/// Whether processes can make parts of the surface. Curvatures, cuts at the border of the image and
+/// distances from contours on other planes are those of a whole surface.
+bool vtkOrthogonalSliceReconstruction::CanBeDivided(const orthoslices::SortedSlices& sorted) const
+{
+  return !this->ComputeCurvatures && this->BorderContours != LEAVE_OPEN_AT_BORDER &&
+    sorted.Others.Count() == 0;
 }
 
 /// Warns the user, once in a parallel run: all processes have the same to say.
@@ -614,7 +631,11 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   carrier.AddToGraph(result, graph->GetCellData());
   carrier.ChooseContours(result, orthoslices::ExecuteWithVtk(this));
   this->UpdateProgress(ProgressBeforeSurface);
-  const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures };
+  // Of a whole surface, all is known here.
+  const orthoslices::Ranks ranks =
+    result.Part ? this->Processes->GetRanks() : orthoslices::Ranks();
+  const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures,
+    &ranks };
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
   const orthoslices::Box3 openBorder = result.OpenBorder;
   const orthoslices::AxisFrame frame = result.Frame;
@@ -624,7 +645,7 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   carrier.AddToSurface(surface->GetCellData());
   orthoslices::CutAtBorder(openBorder, frame, surface);
   const bool mayBeOpen = this->BorderContours == LEAVE_OPEN_AT_BORDER;
-  orthoslices::WriteComponentTable(surface, mayBeOpen, vtkTable::GetData(outputs, 7));
+  orthoslices::WriteComponentTable(surface, mayBeOpen, ranks, vtkTable::GetData(outputs, 7));
   this->UpdateProgress(1.0);
 }
 

@@ -896,6 +896,7 @@ private:
   // The steps of RequestData; checks that fail have reported an error.
   bool MakePieces(vtkInformationVector** inputs, vtkInformationVector* outputs);
   bool MakeOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  bool CanBeDivided(const orthoslices::SortedSlices& sorted) const;
   void Warn(const std::string& text);
   bool CheckProperties();
   bool CheckInputs(vtkInformationVector** inputs);

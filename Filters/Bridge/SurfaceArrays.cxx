@@ -30,7 +30,8 @@ void AddArray(const char* name, const std::vector<float>& values, vtkPointData* 
 
 }
 
-void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Execution& execution)
+void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Execution& execution,
+  const SharedPoints* shared)
 {
   const vtkIdType count = surface->GetNumberOfPoints();
   vtkNew<vtkFloatArray> normals;
@@ -41,7 +42,7 @@ void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Ex
     [&](const auto* xyz, const auto* triangles, vtkIdType triangleCount)
     {
       ComputePointNormals(
-        xyz, count, triangles, triangleCount, smooth, execution, normals->GetPointer(0));
+        xyz, count, triangles, triangleCount, smooth, execution, normals->GetPointer(0), shared);
     });
   surface->GetPointData()->SetNormals(normals);
 }
@@ -58,12 +59,12 @@ void AddCurvatures(vtkPolyData* surface)
   AddArray("GaussianCurvature", curvatures.Gaussian, surface->GetPointData());
 }
 
-void AddQuality(vtkPolyData* surface, const Execution& execution)
+void AddQuality(vtkPolyData* surface, const Execution& execution, const Ranks& ranks)
 {
   TriangleQuality quality;
   VisitTriangles(surface,
     [&](const auto* xyz, const auto* triangles, vtkIdType count)
-    { quality = MeasureQuality(xyz, triangles, count, execution); });
+    { quality = JoinQualities(MeasureQuality(xyz, triangles, count, execution), count, ranks); });
   const auto add = [&](const char* name, double value)
   {
     vtkNew<vtkDoubleArray> array;

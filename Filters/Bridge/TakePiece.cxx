@@ -92,6 +92,20 @@ void SetTriangles(const std::vector<vtkIdType>& corners, vtkPolyData* piece)
   piece->SetPolys(cells);
 }
 
+/// In the storage of the surface.
+void SetTrianglesLike(
+  vtkPolyData* surface, const std::vector<vtkIdType>& corners, vtkPolyData* piece)
+{
+  if (surface->GetPolys()->IsStorage64Bit())
+  {
+    SetTriangles<vtkTypeInt64Array>(corners, piece);
+  }
+  else
+  {
+    SetTriangles<vtkTypeInt32Array>(corners, piece);
+  }
+}
+
 void CopyCellsOf(vtkPolyData* surface, vtkIdType first, vtkIdType last, vtkPolyData* piece)
 {
   vtkCellData* data = piece->GetCellData();
@@ -124,27 +138,32 @@ void MarkPiece(const std::vector<vtkIdType>& pointIds, vtkIdType firstTriangle,
   piece->GetCellData()->SetGlobalIds(ofCells);
 }
 
+std::vector<vtkIdType> KeepUsedPoints(vtkPolyData* surface)
+{
+  const PointsOfPiece points = FindPoints(surface, 0, surface->GetNumberOfPolys());
+  vtkNew<vtkPolyData> used;
+  CopyPointsOf(surface, points.Ids, used);
+  SetTrianglesLike(surface, points.Corners, used);
+  used->GetCellData()->ShallowCopy(surface->GetCellData());
+  used->GetFieldData()->ShallowCopy(surface->GetFieldData());
+  surface->ShallowCopy(used);
+  return points.Ids;
+}
+
 void TakePiece(const Ranks& ranks, vtkPolyData* surface)
 {
   if (!ranks.AreSeveral() || surface->GetPoints() == nullptr)
   {
     return;
   }
-  const Share share = ShareOf(
+  const Portion portion = PortionOf(
     ranks, static_cast<std::size_t>(surface->GetNumberOfPolys()), [](std::size_t) { return 1.0; });
-  const vtkIdType first = static_cast<vtkIdType>(share.First);
-  const vtkIdType last = static_cast<vtkIdType>(share.Last);
+  const vtkIdType first = static_cast<vtkIdType>(portion.First);
+  const vtkIdType last = static_cast<vtkIdType>(portion.Last);
   const PointsOfPiece points = FindPoints(surface, first, last);
   vtkNew<vtkPolyData> piece;
   CopyPointsOf(surface, points.Ids, piece);
-  if (surface->GetPolys()->IsStorage64Bit())
-  {
-    SetTriangles<vtkTypeInt64Array>(points.Corners, piece);
-  }
-  else
-  {
-    SetTriangles<vtkTypeInt32Array>(points.Corners, piece);
-  }
+  SetTrianglesLike(surface, points.Corners, piece);
   CopyCellsOf(surface, first, last, piece);
   MarkPiece(points.Ids, first, points.IsDuplicate, piece);
   piece->GetFieldData()->ShallowCopy(surface->GetFieldData());

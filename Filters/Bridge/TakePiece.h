@@ -22,6 +22,9 @@ namespace orthoslices
 void MarkPiece(const std::vector<vtkIdType>& pointIds, vtkIdType firstTriangle,
   const std::vector<unsigned char>& isDuplicate, vtkPolyData* piece);
 
+/// Leaves the points that triangles have, and returns their former ids, ascending.
+std::vector<vtkIdType> KeepUsedPoints(vtkPolyData* surface);
+
 /// Leaves of a whole surface of triangles the piece of one process: as many triangles for each, in
 /// their order, with their points. Field data stay those of the whole.
 void TakePiece(const Ranks& ranks, vtkPolyData* surface);

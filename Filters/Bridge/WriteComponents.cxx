@@ -14,7 +14,8 @@
 
 namespace orthoslices
 {
-void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, vtkTable* table)
+void WriteComponentTable(
+  vtkPolyData* surface, bool mayBeOpen, const Ranks& ranks, vtkTable* table)
 {
   auto* ids = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("ComponentId"));
   auto* number =
@@ -24,7 +25,7 @@ void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, vtkTable* table)
     [&](const auto* xyz, const auto* triangles, vtkIdType count)
     {
       measures = MeasureComponents(xyz, triangles, count, ids->GetPointer(0),
-        static_cast<int>(number->GetValue(0)), mayBeOpen);
+        static_cast<int>(number->GetValue(0)), mayBeOpen, ranks);
     });
   auto* component = AddColumn<vtkIntArray>(table, "ComponentId");
   auto* area = AddColumn<vtkDoubleArray>(table, "Area");

@@ -4,8 +4,11 @@
 
 #include "Bridge/PointArrays.h"
 #include "Bridge/SurfaceArrays.h"
+#include "Bridge/TakePiece.h"
 #include "Core/Reconstruction.h"
+#include "Core/Patches/DivideCycles.h"
 #include "Core/Surface/DescribePatches.h"
+#include "Core/Surface/PointNormals.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -23,6 +26,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace orthoslices
 {
@@ -158,6 +162,67 @@ void AddFieldData(const Reconstruction& result, vtkFieldData* data)
 }
 }
 
+namespace
+{
+/// What a piece has to know of the whole surface; made before the result is consumed.
+class PieceMarks
+{
+public:
+  /// REQUIRES: result.Part.
+  PieceMarks(const Reconstruction& result, const Ranks& ranks);
+
+  /// Leaves the points of the piece, and marks these; returns their ids before.
+  std::vector<std::int64_t> Apply(vtkPolyData* surface);
+
+  /// REQUIRES: Apply.
+  const SharedPoints& GetShared() const { return this->Shared; }
+
+private:
+  std::vector<std::uint8_t> PartsOfPoints; ///< of the points of G
+  std::int64_t FirstInner;                 ///< the ids of what only this piece has begin here
+  std::int64_t InnerBefore = 0;            ///< number of such points of the pieces before
+  std::int64_t TrianglesBefore = 0;
+  SharedPoints Shared;
+};
+
+PieceMarks::PieceMarks(const Reconstruction& result, const Ranks& ranks)
+  : PartsOfPoints(FindPartsOfPoints(GeometryOf(result), result.Surface.Meshes, *result.Part))
+  , FirstInner(result.Surface.MeshOffsets.back())
+  , Shared{ ranks, {}, {}, !result.Normals.Normals.empty() }
+{
+  const InnerPatches& inner = result.Surface.Inner;
+  const std::vector<std::int64_t> own{ inner.PointOffsets.back() - inner.Count(),
+    result.Surface.TriangleCount() };
+  const auto all = GatherValues(ranks, own);
+  for (int rank = 0; rank < ranks.Rank; ++rank)
+  {
+    this->InnerBefore += all[rank][0];
+    this->TrianglesBefore += all[rank][1];
+  }
+}
+
+std::vector<std::int64_t> PieceMarks::Apply(vtkPolyData* surface)
+{
+  const std::vector<vtkIdType> used = KeepUsedPoints(surface);
+  std::vector<vtkIdType> ids(used.size());
+  std::vector<unsigned char> isDuplicate(used.size(), 0);
+  this->Shared.IsShared.assign(used.size(), 0);
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    ids[i] = used[i] + (used[i] < this->FirstInner ? 0 : this->InnerBefore);
+    if (used[i] < static_cast<vtkIdType>(this->PartsOfPoints.size()))
+    {
+      const std::uint8_t parts = this->PartsOfPoints[used[i]];
+      isDuplicate[i] = (parts & BeforePart) != 0 ? 1 : 0;
+      this->Shared.IsShared[i] = parts != 0 ? 1 : 0;
+    }
+  }
+  this->Shared.Ids.assign(ids.begin(), ids.end());
+  MarkPiece(ids, this->TrianglesBefore, isDuplicate, surface);
+  return std::vector<std::int64_t>(used.begin(), used.end());
+}
+}
+
 void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool doublePrecision,
   const SurfaceArrayOptions& arrays, double reportTolerance, vtkPolyData* surface)
 {
@@ -167,7 +232,13 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   const vtkIdType allCenters = vtkIdType(graphPoints) + result.Cycles.Count();
   std::vector<double> otherPoints = ListOtherPoints(result.Surface);
   const vtkIdType allPoints = allCenters + static_cast<vtkIdType>(otherPoints.size() / 3);
-  const std::vector<std::int64_t> origins = std::move(result.Surface.Improved.Origin);
+  const bool isPart = result.Part.has_value();
+  std::optional<PieceMarks> marks;
+  if (isPart)
+  {
+    marks.emplace(result, *arrays.Processes);
+  }
+  std::vector<std::int64_t> origins = std::move(result.Surface.Improved.Origin);
   const bool isImproved = result.Surface.Improved.Any();
   result.Surface.Inner.Points = {};
   auto points =
@@ -202,16 +273,20 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   std::vector<float> smooth = withNormals
     ? ListSmoothNormals(result.Normals, result.Surface, graphPoints, allPoints)
     : std::vector<float>();
-  if (isImproved && !smooth.empty())
+  FillCellArrays(result, reportTolerance, surface->GetCellData());
+  result = Reconstruction();
+  if (isPart)
+  {
+    origins = marks->Apply(surface);
+  }
+  if ((isImproved || isPart) && !smooth.empty())
   {
     smooth = SelectNormals(smooth, origins);
   }
-  FillCellArrays(result, reportTolerance, surface->GetCellData());
-  result = Reconstruction();
-  AddQuality(surface, execution);
+  AddQuality(surface, execution, isPart ? *arrays.Processes : Ranks());
   if (withNormals)
   {
-    AddNormals(surface, smooth, execution);
+    AddNormals(surface, smooth, execution, isPart ? &marks->GetShared() : nullptr);
   }
   if (arrays.Curvatures)
   {

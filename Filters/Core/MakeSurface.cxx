@@ -9,6 +9,7 @@
 #include "Core/Graph/SimplifyArcs.h"
 #include "Core/Improve/ImproveSurface.h"
 #include "Core/PatchAllCells.h"
+#include "Core/Patches/DivideCycles.h"
 #include "Core/Patches/Domes.h"
 #include "Core/Slabs/StitchSlabs.h"
 
@@ -244,10 +245,23 @@ void ImproveIfLight(double accuracy, const LightGraph& light, Pass& pass)
 }
 }
 
+void DivideSurface(Pass& pass)
+{
+  const Ranks* processes = pass.Settings.Processes;
+  const PatchOptions& patching = pass.Settings.Patching;
+  // Triangles are improved across all parts.
+  const bool isLight = patching.Accuracy > 0.0 || patching.OwnAccuracy;
+  if (processes != nullptr && processes->AreSeveral() && !isLight && patching.Shared == nullptr)
+  {
+    pass.Result.Part = DivideCycles(GeometryOf(pass.Result), *processes);
+  }
+}
+
 bool FillCycles(const PatchOptions& options, Pass& pass)
 {
   Reconstruction& result = pass.Result;
   PatchOptions patching = options;
+  patching.Part = result.Part ? &*result.Part : nullptr;
   FindNormals(patching, pass);
   patching.Accuracy = AccuracyOf(options, result);
   LightGraph light = DrawOutlines(patching.Accuracy, pass);
@@ -266,7 +280,7 @@ bool FillCycles(const PatchOptions& options, Pass& pass)
     result.Normals = {}; // those of the triangles say more
   }
   pass.Finish(Stage::BuildInnerPatches);
-  LayOutTriangles(result.Graph, result.Cycles, result.Surface);
+  LayOutTriangles(result.Graph, result.Cycles, result.Surface, patching.Part);
   pass.Finish(Stage::LayOutTriangles);
   ImproveIfLight(patching.Accuracy, light, pass);
   return pass.GoOn(0.8);

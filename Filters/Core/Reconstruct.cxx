@@ -20,8 +20,16 @@ bool ReconstructContours(Pass& pass)
   {
     return false;
   }
-  return sparse.Any() ? MakeSparseSurface(sparse, pass)
-                      : ConnectContours(pass) && FillCycles(pass.Settings.Patching, pass);
+  if (sparse.Any())
+  {
+    return MakeSparseSurface(sparse, pass);
+  }
+  if (!ConnectContours(pass))
+  {
+    return false;
+  }
+  DivideSurface(pass);
+  return FillCycles(pass.Settings.Patching, pass);
 }
 
 Reconstruction Reconstruct(std::array<Pieces, 3>&& pieces, const Options& options,

@@ -6,6 +6,7 @@
 #include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 #include "Core/Base/Polylines.h"
+#include "Core/Base/Ranks.h"
 #include "Core/Cells/UndecidedPlaces.h"
 #include "Core/Crossings/MeasureAgreement.h"
 #include "Core/Crossings/ReconcileSlices.h"
@@ -16,6 +17,7 @@
 #include "Core/Surface/LayOutTriangles.h"
 #include "Core/Surface/MeasureTopology.h"
 
+#include <optional>
 #include <vector>
 
 namespace orthoslices
@@ -74,6 +76,9 @@ struct Reconstruction
   Index SmallComponents = 0; ///< left out
   SurfaceNormals Normals;    ///< of G; not for PatchMethod::Fan and Coons
   Patches Surface;
+  /// The cycles whose triangles are in Surface, where several processes have a part each; else it has
+  /// those of all. Everything else is that of the whole.
+  std::optional<Portion> Part;
 
   /// The report: what the slices disagreed on, and what was done about it.
   Reconciliation Reconciled;   ///< its repairs are moved to Repairs

@@ -54,7 +54,7 @@ std::vector<std::vector<Value>> GatherValues(const Ranks& ranks, const std::vect
 }
 
 /// A part of a list of items, from `First` to `Last` - 1.
-struct Share
+struct Portion
 {
   std::size_t First = 0;
   std::size_t Last = 0;
@@ -64,31 +64,31 @@ struct Share
 
 /**
  * The items of one rank, such that all ranks have about the same work. `workOf` says how much each
- * item is; it is asked for all of them. The shares of all ranks are one behind the other; some are
+ * item is; it is asked for all of them. The portions of all ranks are one behind the other; some are
  * empty where there are fewer items than ranks.
  */
 template <typename Work>
-Share ShareOf(const Ranks& ranks, std::size_t count, Work&& workOf)
+Portion PortionOf(const Ranks& ranks, std::size_t count, Work&& workOf)
 {
   double total = 0.0;
   for (std::size_t i = 0; i < count; ++i)
   {
     total += workOf(i);
   }
-  Share share{ count, count };
+  Portion portion{ count, count };
   double before = 0.0; // the work of all items before this one
   const auto reaches = [&](int rank) { return before * ranks.Count >= total * rank; };
   for (std::size_t i = 0; i < count; ++i)
   {
-    share.First = share.First == count && reaches(ranks.Rank) ? i : share.First;
+    portion.First = portion.First == count && reaches(ranks.Rank) ? i : portion.First;
     if (ranks.Rank + 1 < ranks.Count && reaches(ranks.Rank + 1))
     {
-      share.Last = i;
+      portion.Last = i;
       break;
     }
     before += workOf(i);
   }
-  return share;
+  return portion;
 }
 }
 

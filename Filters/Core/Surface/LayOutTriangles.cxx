@@ -9,7 +9,8 @@
 
 namespace orthoslices
 {
-void LayOutTriangles(const NodeGraph& graph, const CellCycles& cycles, Patches& patches)
+void LayOutTriangles(
+  const NodeGraph& graph, const CellCycles& cycles, Patches& patches, const Portion* part)
 {
   patches.Improved = {};
   patches.Offsets.assign(static_cast<std::size_t>(cycles.Count()) + 1, 0);
@@ -45,6 +46,10 @@ void LayOutTriangles(const NodeGraph& graph, const CellCycles& cycles, Patches& 
     const Point3 first = inner.PointAt(inner.PointOffsets[i]);
     std::copy(first.begin(), first.end(),
       patches.CentralPoints.begin() + 3 * static_cast<std::size_t>(inner.Cycle[i]));
+  }
+  for (std::size_t cycle = 0; part != nullptr && cycle + 1 < patches.Offsets.size(); ++cycle)
+  {
+    patches.Offsets[cycle + 1] = part->Has(cycle) ? patches.Offsets[cycle + 1] : 0;
   }
   std::partial_sum(patches.Offsets.begin(), patches.Offsets.end(), patches.Offsets.begin());
 }

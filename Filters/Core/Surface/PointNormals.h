@@ -4,12 +4,22 @@
 #define OrthoSlicesPointNormals_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Base/Ranks.h"
 #include "Core/Base/Types.h"
 
 #include <vector>
 
 namespace orthoslices
 {
+/// The points of a part of a surface of which other processes have the others.
+struct SharedPoints
+{
+  const Ranks& Processes;
+  std::vector<std::int64_t> Ids;      ///< of all points of the part in the whole surface, ascending
+  std::vector<std::uint8_t> IsShared; ///< whether other parts have the point, too
+  bool AnySmooth; ///< whether there are smooth normals, here or elsewhere
+};
+
 /**
  * Unit normals of points from the triangles around them, weighted by area, or those of a smooth
  * surface. Triangles are three ids each of points x, y, z; `smooth` has x, y, z for each point,
@@ -17,14 +27,18 @@ namespace orthoslices
  * area vector of the triangles around the point, or of that of the next triangles around these,
  * which decide where the first are slivers. `normals`, x, y, z of each point, is written; zero at
  * points without area around them. The result does not depend on the number of threads.
+ *
+ * Of a part of a surface (`shared` is not null), normals are those of the whole surface: the parts
+ * hand each other what they have at common points. Parts have to be in the order of their triangles.
  */
 template <typename Coordinate, typename Id>
 void ComputePointNormals(const Coordinate* xyz, std::size_t points, const Id* triangles,
-  std::int64_t count, const std::vector<float>& smooth, const Execution& execution, float* normals);
+  std::int64_t count, const std::vector<float>& smooth, const Execution& execution, float* normals,
+  const SharedPoints* shared = nullptr);
 
 #define ORTHOSLICES_DECLARE(Coordinate, Id)                                           \
   extern template void ComputePointNormals(const Coordinate*, std::size_t, const Id*, \
-    std::int64_t, const std::vector<float>&, const Execution&, float*);
+    std::int64_t, const std::vector<float>&, const Execution&, float*, const SharedPoints*);
 ORTHOSLICES_DECLARE(float, std::int32_t)
 ORTHOSLICES_DECLARE(float, long long)
 ORTHOSLICES_DECLARE(double, std::int32_t)
