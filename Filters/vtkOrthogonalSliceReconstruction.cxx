@@ -632,8 +632,7 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   carrier.ChooseContours(result, orthoslices::ExecuteWithVtk(this));
   this->UpdateProgress(ProgressBeforeSurface);
   // Of a whole surface, all is known here.
-  const orthoslices::Ranks ranks =
-    result.Part ? this->Processes->GetRanks() : orthoslices::Ranks();
+  const orthoslices::Ranks ranks = result.Part ? this->Processes->GetRanks() : orthoslices::Ranks();
   const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures,
     &ranks };
   const double reportTolerance = this->ReportTolerance * result.Diagonal;

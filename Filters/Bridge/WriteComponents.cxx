@@ -14,8 +14,7 @@
 
 namespace orthoslices
 {
-void WriteComponentTable(
-  vtkPolyData* surface, bool mayBeOpen, const Ranks& ranks, vtkTable* table)
+void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, const Ranks& ranks, vtkTable* table)
 {
   auto* ids = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("ComponentId"));
   auto* number =

@@ -13,8 +13,7 @@ namespace orthoslices
 /// Port 7: area, volume and centroid of each component of the finished surface, which is closed
 /// unless it `mayBeOpen`, of which all `ranks` have a piece.
 /// REQUIRES: cell data "ComponentId" and field data "NumberOfComponents".
-void WriteComponentTable(
-  vtkPolyData* surface, bool mayBeOpen, const Ranks& ranks, vtkTable* table);
+void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, const Ranks& ranks, vtkTable* table);
 }
 
 #endif

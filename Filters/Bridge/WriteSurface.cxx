@@ -5,8 +5,8 @@
 #include "Bridge/PointArrays.h"
 #include "Bridge/SurfaceArrays.h"
 #include "Bridge/TakePiece.h"
-#include "Core/Reconstruction.h"
 #include "Core/Patches/DivideCycles.h"
+#include "Core/Reconstruction.h"
 #include "Core/Surface/DescribePatches.h"
 #include "Core/Surface/PointNormals.h"
 

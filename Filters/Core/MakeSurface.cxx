@@ -211,7 +211,8 @@ void FindNormals(const PatchOptions& patching, Pass& pass)
   if (NeedsNormals(patching.Method))
   {
     result.Normals = EstimateNormals(geometry, patching.CornerAngle,
-      TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), pass.Execute);
+      TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), pass.Execute,
+      result.Part ? *pass.Settings.Processes : Ranks());
   }
   pass.Finish(Stage::EstimateNormals);
 }

@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesReconstruction_h
 #define OrthoSlicesReconstruction_h
 
+#include "Core/Base/AxisFrame.h"
 #include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 #include "Core/Base/Polylines.h"
@@ -10,7 +11,6 @@
 #include "Core/Cells/UndecidedPlaces.h"
 #include "Core/Crossings/MeasureAgreement.h"
 #include "Core/Crossings/ReconcileSlices.h"
-#include "Core/Base/AxisFrame.h"
 #include "Core/Graph/CycleGeometry.h"
 #include "Core/Graph/IsolatedContours.h"
 #include "Core/Patches/EstimateNormals.h"

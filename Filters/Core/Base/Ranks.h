@@ -63,32 +63,39 @@ struct Portion
 };
 
 /**
- * The items of one rank, such that all ranks have about the same work. `workOf` says how much each
- * item is; it is asked for all of them. The portions of all ranks are one behind the other; some are
- * empty where there are fewer items than ranks.
+ * Divides a list of items into parts with about the same work, one behind the other. `workOf` says
+ * how much each item is. Returns the first item of each part, and the number of items; parts are
+ * empty where there are fewer items.
  */
 template <typename Work>
-Portion PortionOf(const Ranks& ranks, std::size_t count, Work&& workOf)
+std::vector<std::size_t> DivideWork(int parts, std::size_t count, Work&& workOf)
 {
   double total = 0.0;
   for (std::size_t i = 0; i < count; ++i)
   {
     total += workOf(i);
   }
-  Portion portion{ count, count };
+  std::vector<std::size_t> first{ 0 };
   double before = 0.0; // the work of all items before this one
-  const auto reaches = [&](int rank) { return before * ranks.Count >= total * rank; };
   for (std::size_t i = 0; i < count; ++i)
   {
-    portion.First = portion.First == count && reaches(ranks.Rank) ? i : portion.First;
-    if (ranks.Rank + 1 < ranks.Count && reaches(ranks.Rank + 1))
+    while (first.size() < static_cast<std::size_t>(parts) &&
+      before * parts >= total * static_cast<double>(first.size()))
     {
-      portion.Last = i;
-      break;
+      first.push_back(i);
     }
     before += workOf(i);
   }
-  return portion;
+  first.resize(static_cast<std::size_t>(parts) + 1, count);
+  return first;
+}
+
+/// The items of one rank, such that all ranks have about the same work.
+template <typename Work>
+Portion PortionOf(const Ranks& ranks, std::size_t count, Work&& workOf)
+{
+  const std::vector<std::size_t> first = DivideWork(ranks.Count, count, std::forward<Work>(workOf));
+  return { first[ranks.Rank], first[ranks.Rank + 1] };
 }
 }
 

@@ -44,8 +44,8 @@ ChosenCycles::ChosenCycles(const CellGroups& cells, std::size_t count, const Por
   {
     const auto first = cells.Cycles.begin() + range.first;
     const auto last = cells.Cycles.begin() + range.second;
-    if (std::any_of(first, last,
-          [&](Index cycle) { return part->Has(static_cast<std::size_t>(cycle)); }))
+    if (std::any_of(
+          first, last, [&](Index cycle) { return part->Has(static_cast<std::size_t>(cycle)); }))
     {
       this->OwnCells.Several.push_back(range);
       std::for_each(first, last, [&](Index cycle) { this->IsChosen[cycle] = 1; });
@@ -55,7 +55,8 @@ ChosenCycles::ChosenCycles(const CellGroups& cells, std::size_t count, const Por
 
 void ChosenCycles::LeaveOutOthers(InnerPatches& patches) const
 {
-  const auto isOther = [&](Index cycle) { return !this->Part->Has(static_cast<std::size_t>(cycle)); };
+  const auto isOther = [&](Index cycle)
+  { return !this->Part->Has(static_cast<std::size_t>(cycle)); };
   if (this->Part == nullptr || std::none_of(patches.Cycle.begin(), patches.Cycle.end(), isOther))
   {
     return;

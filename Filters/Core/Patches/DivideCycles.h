@@ -30,7 +30,10 @@ public:
   bool Has(std::size_t cycle) const { return this->Part == nullptr || this->IsChosen[cycle] != 0; }
 
   /// Of the cells with several cycles, those that have cycles of the part.
-  const CellGroups& Cells() const { return this->Part == nullptr ? this->AllCells : this->OwnCells; }
+  const CellGroups& Cells() const
+  {
+    return this->Part == nullptr ? this->AllCells : this->OwnCells;
+  }
 
   /// Removes the patches of cycles that are not wanted.
   void LeaveOutOthers(InnerPatches& patches) const;

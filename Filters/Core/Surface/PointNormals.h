@@ -17,7 +17,7 @@ struct SharedPoints
   const Ranks& Processes;
   std::vector<std::int64_t> Ids;      ///< of all points of the part in the whole surface, ascending
   std::vector<std::uint8_t> IsShared; ///< whether other parts have the point, too
-  bool AnySmooth; ///< whether there are smooth normals, here or elsewhere
+  bool AnySmooth;                     ///< whether there are smooth normals, here or elsewhere
 };
 
 /**

@@ -26,8 +26,7 @@ TriangleQuality MeasureQuality(
   const Coordinate* points, const Id* triangles, std::int64_t count, const Execution& execution);
 
 /// How well the triangles of all processes are shaped, each of which has measured `count` of its own.
-TriangleQuality JoinQualities(
-  const TriangleQuality& own, std::int64_t count, const Ranks& ranks);
+TriangleQuality JoinQualities(const TriangleQuality& own, std::int64_t count, const Ranks& ranks);
 
 /// Curvatures at points; positive mean curvature where the surface is convex.
 struct Curvatures
