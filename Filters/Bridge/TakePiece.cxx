@@ -6,14 +6,16 @@
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
+#include <type_traits>
 
 namespace orthoslices
 {
@@ -55,24 +57,52 @@ PointsOfPiece FindPoints(vtkPolyData* surface, vtkIdType first, vtkIdType last)
   return piece;
 }
 
-void CopyPointsOf(vtkPolyData* surface, const std::vector<vtkIdType>& ids, vtkPolyData* piece)
+/// A new array with the tuples of some points.
+vtkSmartPointer<vtkAbstractArray> Select(vtkAbstractArray* from, const std::vector<vtkIdType>& ids)
 {
   const vtkIdType count = static_cast<vtkIdType>(ids.size());
-  vtkNew<vtkIdList> from, to;
-  from->SetNumberOfIds(count);
-  to->SetNumberOfIds(count);
-  std::copy(ids.begin(), ids.end(), from->GetPointer(0));
-  std::iota(to->GetPointer(0), to->GetPointer(0) + count, vtkIdType(0));
+  auto to = vtkSmartPointer<vtkAbstractArray>::Take(from->NewInstance());
+  to->SetName(from->GetName());
+  to->SetNumberOfComponents(from->GetNumberOfComponents());
+  to->CopyComponentNames(from);
+  to->SetNumberOfTuples(count);
+  if (vtkDataArray::SafeDownCast(from) == nullptr)
+  {
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      to->SetTuple(i, ids[i], from);
+    }
+    return to;
+  }
+  const std::size_t bytes =
+    static_cast<std::size_t>(from->GetDataTypeSize()) * from->GetNumberOfComponents();
+  const char* source = static_cast<const char*>(from->GetVoidPointer(0));
+  char* target = static_cast<char*>(to->GetVoidPointer(0));
+  for (const vtkIdType id : ids)
+  {
+    std::memcpy(target, source + static_cast<std::size_t>(id) * bytes, bytes);
+    target += bytes;
+  }
+  return to;
+}
+
+/// Points and point data of a surface for some of its points.
+void CopyPointsOf(vtkPolyData* surface, const std::vector<vtkIdType>& ids, vtkPolyData* piece)
+{
   vtkNew<vtkPoints> points;
-  points->SetDataType(surface->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(count);
-  points->GetData()->InsertTuples(to, from, surface->GetPoints()->GetData());
+  const auto coordinates = Select(surface->GetPoints()->GetData(), ids);
+  points->SetData(vtkDataArray::SafeDownCast(coordinates));
   piece->SetPoints(points);
-  vtkPointData* data = piece->GetPointData();
-  data->CopyAllOn();
-  data->CopyAllocate(surface->GetPointData(), count);
-  data->SetNumberOfTuples(count);
-  data->CopyData(surface->GetPointData(), from, to);
+  vtkPointData* data = surface->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    const int at = piece->GetPointData()->AddArray(Select(data->GetAbstractArray(i), ids));
+    const int attribute = data->IsArrayAnAttribute(i);
+    if (attribute >= 0)
+    {
+      piece->GetPointData()->SetActiveAttribute(at, attribute);
+    }
+  }
 }
 
 template <typename IdArray>
@@ -140,14 +170,27 @@ void MarkPiece(const std::vector<vtkIdType>& pointIds, vtkIdType firstTriangle,
 
 std::vector<vtkIdType> KeepUsedPoints(vtkPolyData* surface)
 {
-  const PointsOfPiece points = FindPoints(surface, 0, surface->GetNumberOfPolys());
-  vtkNew<vtkPolyData> used;
-  CopyPointsOf(surface, points.Ids, used);
-  SetTrianglesLike(surface, points.Corners, used);
-  used->GetCellData()->ShallowCopy(surface->GetCellData());
-  used->GetFieldData()->ShallowCopy(surface->GetFieldData());
-  surface->ShallowCopy(used);
-  return points.Ids;
+  std::vector<vtkIdType> used, places(surface->GetNumberOfPoints(), -1);
+  const auto forIds = [&](auto&& visit)
+  {
+    VisitTriangles(surface,
+      [&](const auto*, auto* ids, vtkIdType count) { std::for_each(ids, ids + 3 * count, visit); });
+  };
+  forIds([&](const auto& id) { places[id] = 0; });
+  for (std::size_t id = 0; id < places.size(); ++id)
+  {
+    if (places[id] == 0)
+    {
+      places[id] = static_cast<vtkIdType>(used.size());
+      used.push_back(static_cast<vtkIdType>(id));
+    }
+  }
+  forIds([&](auto& id) { id = static_cast<std::decay_t<decltype(id)>>(places[id]); });
+  vtkNew<vtkPolyData> piece;
+  CopyPointsOf(surface, used, piece);
+  surface->SetPoints(piece->GetPoints());
+  surface->GetPointData()->ShallowCopy(piece->GetPointData());
+  return used;
 }
 
 void TakePiece(const Ranks& ranks, vtkPolyData* surface)

@@ -9,7 +9,7 @@
  * BenchReconstruct) into circles with `points` vertices in all (DEFAULT: a million). First the first
  * process makes the surface alone, then all together, each from its own part of the contours. Seconds
  * are those of the processor: those at work, and apart from them those in exchanges, where MPI waits
- * busily. So they say how work is divided, also where processes share a processor.
+ * busily; memory is the growth of a process's peak (of the first one, from the run alone on). So they say how work is divided, also where processes share a processor.
  */
 
 #include "vtkCellArray.h"
@@ -26,11 +26,29 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <fstream>
+#include <string>
 #include <vector>
 
 namespace
 {
 double ProcessorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// The most memory that this process has had, in MB, and has now.
+double Megabytes(const char* what)
+{
+  std::ifstream status("/proc/self/status");
+  std::string word;
+  double kilobytes = 0.0;
+  while (status >> word)
+  {
+    if (word == what)
+    {
+      status >> kilobytes;
+    }
+  }
+  return kilobytes / 1024.0;
+}
 
 /// Counts what goes through the collective calls.
 class CountingCommunicator : public vtkMPICommunicator
@@ -150,14 +168,17 @@ int main(int argc, char* argv[])
   double alone = 0.0;
   if (rank == 0)
   {
+    const double least = Megabytes("VmRSS:");
     const Run run = Reconstruct(nullptr, planes, total, 0, 1);
     alone = run.Work;
-    std::printf("alone: %.2f s at work, %.2f s wall, %lld triangles, %lld points\n", run.Work,
-      run.Wall, static_cast<long long>(run.Triangles), static_cast<long long>(run.Points));
+    std::printf("alone: %.2f s at work, %.2f s wall, %.0f MB, %lld triangles, %lld points\n",
+      run.Work, run.Wall, Megabytes("VmHWM:") - least, static_cast<long long>(run.Triangles),
+      static_cast<long long>(run.Points));
   }
   controller->Barrier();
   communicator->Sent.clear();
   communicator->Seconds = 0.0;
+  const double least = Megabytes("VmRSS:");
   const Run run = Reconstruct(controller, planes, total, rank, ranks);
   const double work = run.Work - communicator->Seconds;
   double most = 0.0;
@@ -167,10 +188,11 @@ int main(int argc, char* argv[])
     controller->Barrier();
     if (turn == rank)
     {
-      std::printf("process %d: %.2f s at work, %.2f s in exchanges, %.2f s wall, %lld triangles, "
-                  "%lld points, bytes sent:",
-        rank, work, communicator->Seconds, run.Wall, static_cast<long long>(run.Triangles),
-        static_cast<long long>(run.Points));
+      std::printf(
+        "process %d: %.2f s at work, %.2f s in exchanges, %.2f s wall, %.0f MB, %lld triangles, "
+        "%lld points, bytes sent:",
+        rank, work, communicator->Seconds, run.Wall, Megabytes("VmHWM:") - least,
+        static_cast<long long>(run.Triangles), static_cast<long long>(run.Points));
       for (const double bytes : communicator->Sent)
       {
         std::printf(" %.0f", bytes);
