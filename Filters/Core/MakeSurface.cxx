@@ -254,7 +254,8 @@ void DivideSurface(Pass& pass)
   const bool isLight = patching.Accuracy > 0.0 || patching.OwnAccuracy;
   if (processes != nullptr && processes->AreSeveral() && !isLight && patching.Shared == nullptr)
   {
-    pass.Result.Part = DivideCycles(GeometryOf(pass.Result), *processes);
+    pass.Result.Part =
+      DivideCycles(GeometryOf(pass.Result), pass.Result.Surface.Meshes, *processes);
   }
 }
 

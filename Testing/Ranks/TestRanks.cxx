@@ -113,6 +113,9 @@ void SetParts(const Whole& whole, Division division, Filter* filter)
 std::vector<vtkSmartPointer<vtkPolyData>> UpdatePieces(Filter* filter)
 {
   filter->UpdatePiece(Rank(), Count(), 0);
+  vtkPolyData* own = filter->GetOutput();
+  EXPECT_EQ(own->GetPointData()->GetGlobalIds() != nullptr, Count() > 1);
+  EXPECT_EQ(own->GetCellData()->GetGlobalIds() != nullptr, Count() > 1);
   std::vector<vtkSmartPointer<vtkDataObject>> gathered;
   vtkNew<vtkPolyData> piece;
   piece->ShallowCopy(filter->GetOutput());

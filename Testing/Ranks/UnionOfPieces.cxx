@@ -212,6 +212,10 @@ void UnionCheck::Add(vtkPolyData* piece, std::size_t rank)
 {
   auto* ofPoints = vtkIdTypeArray::SafeDownCast(piece->GetPointData()->GetGlobalIds());
   auto* ofCells = vtkIdTypeArray::SafeDownCast(piece->GetCellData()->GetGlobalIds());
+  if (piece->GetNumberOfPoints() == 0 && piece->GetNumberOfCells() == 0)
+  {
+    return; // what is sent of it has no arrays
+  }
   if (ofPoints == nullptr || ofCells == nullptr)
   {
     this->Differ("piece ", rank, " has no global ids");

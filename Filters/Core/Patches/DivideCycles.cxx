@@ -13,19 +13,34 @@ namespace
 constexpr double WorkInside = 12.0;
 }
 
-Portion DivideCycles(const CycleGeometry& geometry, const Ranks& ranks)
+Portion DivideCycles(
+  const CycleGeometry& geometry, const std::vector<PatchMesh>& meshes, const Ranks& ranks)
 {
   const CellCycles& cycles = geometry.Cycles;
-  return PortionOf(ranks, static_cast<std::size_t>(cycles.Count()),
-    [&](std::size_t cycle)
+  std::vector<double> work(static_cast<std::size_t>(cycles.Count()), WorkInside);
+  for (const PatchMesh& mesh : meshes)
+  {
+    for (const Index cycle : mesh.Cycles)
     {
-      double points = WorkInside;
-      for (Index i = cycles.Offsets[cycle]; i < cycles.Offsets[cycle + 1]; ++i)
-      {
-        points += 1.0 + geometry.Graph.PointCount(cycles.Arcs[i].Arc);
-      }
-      return points;
-    });
+      work[cycle] = 0.0;
+    }
+  }
+  for (Index cycle = 0; cycle < cycles.Count(); ++cycle)
+  {
+    for (Index i = cycles.Offsets[cycle]; i < cycles.Offsets[cycle + 1]; ++i)
+    {
+      work[cycle] += 1.0 + geometry.Graph.PointCount(cycles.Arcs[i].Arc);
+    }
+  }
+  for (const PatchMesh& mesh : meshes)
+  {
+    for (std::size_t k = 1; k < mesh.Cycles.size(); ++k)
+    {
+      work[mesh.Cycles.front()] += work[mesh.Cycles[k]];
+      work[mesh.Cycles[k]] = 0.0;
+    }
+  }
+  return PortionOf(ranks, work.size(), [&](std::size_t cycle) { return work[cycle]; });
 }
 
 ChosenCycles::ChosenCycles(const CellGroups& cells, std::size_t count, const Portion* part)

@@ -12,10 +12,11 @@ namespace orthoslices
 {
 /**
  * The cycles that one of several processes fills: one behind the other, so that the triangles of all
- * processes in their order are those of one. Work goes by the points of a border and a constant,
- * which stands for the points inside.
+ * processes in their order are those of one. Work goes by the points of borders and, but for meshes, a
+ * constant, which stands for the points inside. A mesh is the work of its first cycle.
  */
-Portion DivideCycles(const CycleGeometry& geometry, const Ranks& ranks);
+Portion DivideCycles(
+  const CycleGeometry& geometry, const std::vector<PatchMesh>& meshes, const Ranks& ranks);
 
 /**
  * The cycles to be filled where a part of all is wanted: those of the part, and the others of their
