@@ -36,6 +36,18 @@ void Append(const std::vector<Value>& from, std::vector<Value>& to)
   to.insert(to.end(), from.begin(), from.end());
 }
 
+/// The triangles of a part, by ids of points in the whole surface.
+std::vector<long long> IdsOf(const Reconstruction& part, std::int64_t innerBefore)
+{
+  std::vector<long long> ids(3 * static_cast<std::size_t>(part.Surface.TriangleCount()));
+  WriteTriangles(part.Surface, GeometryOf(part), Execution(), ids.data());
+  for (long long& id : ids)
+  {
+    id += id < part.Surface.MeshOffsets.back() ? 0 : innerBefore;
+  }
+  return ids;
+}
+
 void ExpectParts(const PieceSets& sets, PatchMethod method = PatchMethod::Smooth)
 {
   const Reconstruction whole = Make(sets, nullptr, method);
@@ -47,7 +59,7 @@ void ExpectParts(const PieceSets& sets, PatchMethod method = PatchMethod::Smooth
     ThreadRanks(count).ForAll(
       [&](const Ranks& ranks) { parts[ranks.Rank] = Make(sets, &ranks, method); });
     InnerPatches inner;
-    std::int64_t triangles = 0;
+    std::vector<long long> ids;
     std::size_t next = 0;
     for (const Reconstruction& part : parts)
     {
@@ -55,7 +67,9 @@ void ExpectParts(const PieceSets& sets, PatchMethod method = PatchMethod::Smooth
       EXPECT_EQ(part.Graph.Points, whole.Graph.Points);
       EXPECT_EQ(part.Normals.Normals, whole.Normals.Normals);
       EXPECT_EQ(part.Normals.Corners, whole.Normals.Corners);
-      triangles += part.Surface.TriangleCount();
+      const std::int64_t innerBefore =
+        static_cast<std::int64_t>(inner.Points.size() / 3) - inner.Count();
+      Append(IdsOf(part, innerBefore), ids);
       if (part.Part)
       {
         EXPECT_EQ(part.Part->First, next);
@@ -67,7 +81,7 @@ void ExpectParts(const PieceSets& sets, PatchMethod method = PatchMethod::Smooth
       Append(part.Surface.Inner.Corners, inner.Corners);
     }
     EXPECT_EQ(count > 1 ? next : whole.Cycles.Cell.size(), whole.Cycles.Cell.size());
-    EXPECT_EQ(triangles, whole.Surface.TriangleCount());
+    EXPECT_EQ(ids, IdsOf(whole, 0));
     EXPECT_EQ(inner.Cycle, whole.Surface.Inner.Cycle);
     EXPECT_EQ(inner.Points, whole.Surface.Inner.Points);
     EXPECT_EQ(inner.Normals, whole.Surface.Inner.Normals);

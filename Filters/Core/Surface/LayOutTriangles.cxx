@@ -153,7 +153,12 @@ void WriteTriangles(const Patches& patches, const CycleGeometry& geometry,
       {
         if (patches.Offsets[cycle] == patches.Offsets[cycle + 1])
         {
-          continue; // part of another cycle's patch
+          continue; // part of another cycle's patch, or of another process's part
+        }
+        while (
+          mesh != patches.Meshes.end() && static_cast<std::size_t>(mesh->Cycles.front()) < cycle)
+        {
+          ++mesh;
         }
         Id* out = connectivity + 3 * patches.Offsets[cycle];
         if (mesh != patches.Meshes.end() && static_cast<std::size_t>(mesh->Cycles.front()) == cycle)
@@ -161,7 +166,6 @@ void WriteTriangles(const Patches& patches, const CycleGeometry& geometry,
           const std::int64_t others = patches.MeshOffsets[mesh - patches.Meshes.begin()];
           WriteMesh(
             *mesh, geometry.GetBorders(mesh->Cycles), centers, static_cast<Id>(others), out);
-          ++mesh;
           continue;
         }
         geometry.GetBoundary(static_cast<Index>(cycle), border, nodePlaces);
