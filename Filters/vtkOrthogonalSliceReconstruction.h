@@ -69,9 +69,10 @@
  * Port 0, the surface (vtkPolyData): triangles, oriented outwards. Where the slices agree, every
  * vertex of every contour that meets another family is a vertex of the surface (of the contours
  * that Smoothing and ContourTolerance leave); with Accuracy or AutomaticAccuracy, the surface
- * passes within that of each, unless KeepContourVertices is on. Points: first the node points, then the vertices of the arcs and of the isolated contours,
- * then one for each spatial polygon (of fans the central point, else one of those inside its
- * patch), last the other points inside patches; with Accuracy, those of them that are left.
+ * passes within that of each, unless KeepContourVertices is on. Points: first the node points, then
+ * the vertices of the arcs and of the isolated contours, then one for each spatial polygon (of fans
+ * the central point, else one of those inside its patch), last the other points inside patches;
+ * with Accuracy, those of them that are left.
  *  - point data "Normals" (float, 3 components; active normals), if ComputeNormals or
  *    ComputeCurvatures is on: of smooth patches those of the smooth surface, of others the mean of
  *    the triangles around;
@@ -112,8 +113,9 @@
  * added.
  *
  * Port 1, the graph G with all vertices of contours, also with few triangles, and the repairs
- * (vtkPolyData): one vertex cell for each node point, one for each repair, then one polyline for each arc, then one closed polyline for each isolated contour
- * (a contour without node points). Cell data:
+ * (vtkPolyData): one vertex cell for each node point, one for each repair, then one polyline for
+ * each arc, then one closed polyline for each isolated contour (a contour without node points).
+ * Cell data:
  *  - "Kind" (unsigned char): 0 node point, 1 arc, 2 isolated contour; repairs: 3 a slice was
  *    overruled on whether a vertex of M is inside, 4 two crossings that the other slice does not
  *    have were taken out, 8 arcs that crossed on a face of M were taken apart (they pass their

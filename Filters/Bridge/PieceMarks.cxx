@@ -15,6 +15,11 @@ std::vector<float> SelectNormals(
   selected.reserve(3 * points.size());
   for (const std::int64_t point : points)
   {
+    if (point < 0)
+    {
+      selected.insert(selected.end(), 3, 0.0f);
+      continue;
+    }
     const auto first = normals.begin() + static_cast<std::ptrdiff_t>(3 * point);
     selected.insert(selected.end(), first, first + 3);
   }

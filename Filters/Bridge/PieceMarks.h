@@ -15,7 +15,7 @@ namespace orthoslices
 {
 struct Reconstruction;
 
-/// The normals of some of all points, x, y and z of each.
+/// The normals of some of all points, x, y and z of each; zero for -1, a new point.
 std::vector<float> SelectNormals(
   const std::vector<float>& normals, const std::vector<std::int64_t>& points);
 

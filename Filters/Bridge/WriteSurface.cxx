@@ -79,7 +79,7 @@ void AddDisagreement(const Reconstruction& result, vtkIdType count,
   for (vtkIdType i = 0; i < count; ++i)
   {
     const std::int64_t point = some ? (*some)[i] : i;
-    if (point >= result.Graph.Nodes)
+    if (point < 0 || point >= result.Graph.Nodes)
     {
       break;
     }

@@ -33,16 +33,16 @@ constexpr double ShareOfTriangles = 0.4;
 /// planes per axis get a twentieth more RMS distance in the mean, most of them from a seventh of
 /// the triangles or less. Rough shapes get less than in proportion, as their errors are in few
 /// places.
-constexpr double AccuracyByError = 4.3;
-constexpr double AccuracyByRoot = 0.31;
+constexpr double AccuracyByError = 4.2;
+constexpr double AccuracyByRoot = 0.33;
 constexpr double LeastAccuracy = 0.002; ///< exact data need no end of triangles
 
 /// The part of what slices disagree on, RMS, that the surface may be off them in any case. What is
 /// asked for in addition would reproduce noise.
-constexpr double ShareOfDisagreement = 0.5;
+constexpr double ShareOfDisagreement = 1.0;
 
 /// Triangles with a smaller angle are improved, in degrees: somewhat above the 20 that are wanted.
-constexpr double GoodAngle = 25.0;
+constexpr double GoodAngle = 22.0;
 
 /// One repair for each patch between real slices that became a shell.
 std::vector<Repair> DescribeShells(const Reconstruction& result)

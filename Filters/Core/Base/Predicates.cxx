@@ -33,6 +33,10 @@ void AddExactly(double x, std::array<double, 12>& sum, int& count)
 
 int ExactSideOf(const Point2& p, const Point2& q, const Point2& r)
 {
+  if ((p[0] == r[0] && q[0] == r[0]) || (p[1] == r[1] && q[1] == r[1]))
+  {
+    return 0; // on a line along an axis, as points on a plane of M are in a projection
+  }
   // The determinant multiplied out, so that no difference is rounded.
   const double factors[6][2] = { { p[0], q[1] }, { -p[0], r[1] }, { -r[0], q[1] }, { -p[1], q[0] },
     { p[1], r[0] }, { r[1], q[0] } };

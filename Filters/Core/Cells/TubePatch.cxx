@@ -68,9 +68,12 @@ double SquaredDistanceToBox(const Point3& p, const Box3& box)
   return Dot(gap, gap);
 }
 
-/// The points of two curves that are nearest to each other; of several pairs, the first one.
-PointPair FindNearest(const PatchCurve& a, const PatchCurve& b)
+/// The points of two curves that are nearest to each other, among all or those on borders; of
+/// several pairs, the first one.
+PointPair FindNearest(const PatchCurve& a, const PatchCurve& b, bool onBorders)
 {
+  const auto counts = [&](const PatchCurve& curve, Index i)
+  { return !onBorders || curve.Corners[i] >= 0; };
   std::vector<Box3> boxes((b.Count() + BlockSize - 1) / BlockSize);
   for (Index j = 0; j < b.Count(); ++j)
   {
@@ -79,7 +82,7 @@ PointPair FindNearest(const PatchCurve& a, const PatchCurve& b)
   PointPair nearest;
   for (Index i = 0; i < a.Count(); ++i)
   {
-    for (std::size_t block = 0; block < boxes.size(); ++block)
+    for (std::size_t block = 0; block < boxes.size() && counts(a, i); ++block)
     {
       if (SquaredDistanceToBox(a.Points[i], boxes[block]) >= nearest.Distance2)
       {
@@ -89,7 +92,10 @@ PointPair FindNearest(const PatchCurve& a, const PatchCurve& b)
       for (Index j = first; j < std::min(b.Count(), first + BlockSize); ++j)
       {
         const double distance2 = SquaredDistance(a.Points[i], b.Points[j]);
-        nearest = distance2 < nearest.Distance2 ? PointPair{ i, j, distance2 } : nearest;
+        if (distance2 < nearest.Distance2 && counts(b, j))
+        {
+          nearest = { i, j, distance2 };
+        }
       }
     }
   }
@@ -99,7 +105,7 @@ PointPair FindNearest(const PatchCurve& a, const PatchCurve& b)
 
 std::vector<PointPair> PairPoints(const PatchCurve& a, const PatchCurve& b)
 {
-  const PointPair start = FindNearest(a, b);
+  const PointPair start = FindNearest(a, b, false);
   const std::size_t n = a.Count();
   const std::size_t m = b.Count();
   if ((n + 1) * (m + 1) > MaxPairs)
@@ -161,19 +167,7 @@ std::vector<PointPair> PairPoints(const PatchCurve& a, const PatchCurve& b)
 
 PointPair FindNearestOnBorders(const PatchCurve& a, const PatchCurve& b)
 {
-  PointPair best;
-  for (Index i = 0; i < a.Count(); ++i)
-  {
-    for (Index j = 0; j < b.Count() && a.Corners[i] >= 0; ++j)
-    {
-      const double distance2 = SquaredDistance(a.Points[i], b.Points[j]);
-      if (b.Corners[j] >= 0 && distance2 < best.Distance2)
-      {
-        best = { i, j, distance2 };
-      }
-    }
-  }
-  return best;
+  return FindNearest(a, b, true);
 }
 
 TubePatch::TubePatch(const CycleGeometry& geometry, const std::vector<Index>& cycles)

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Improve/ImproveSurface.h"
 
-#include "Core/Base/Box.h"
-#include "Core/Improve/FindCrossings.h"
 #include "Core/Surface/DescribePatches.h"
 
 #include <algorithm>
@@ -12,59 +10,31 @@ namespace orthoslices
 {
 namespace
 {
-/// How often the surface is improved anew, less and less of it where triangles would meet.
-constexpr int MaxRounds = 12;
-
-/// Fixes the corners that triangles had before, of those that are not apart, and so many rings of
-/// points around them. Only triangles that were changed have to be as they were.
-void FixAround(const ImprovableMesh& mesh, const CornerTable& before,
-  const std::vector<std::pair<Index, Index>>& pairs, int rings, std::vector<std::uint8_t>& isFixed)
-{
-  std::vector<Index> points;
-  for (const auto& [first, second] : pairs)
-  {
-    for (const Index triangle : { first, second })
-    {
-      for (Index i = 0; i < 3 && mesh.Changed[triangle] != 0; ++i)
-      {
-        points.push_back(before.VertexOf(3 * triangle + i));
-      }
-    }
-  }
-  for (int ring = 0; ring < rings; ++ring)
-  {
-    const std::size_t last = points.size();
-    for (std::size_t i = 0; i < last; ++i)
-    {
-      if (before.IsUsed(points[i]))
-      {
-        before.ForCornersAt(points[i],
-          [&](Index corner) { points.push_back(before.VertexOf(CornerTable::Next(corner))); });
-      }
-    }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-  }
-  for (const Index point : points)
-  {
-    isFixed[point] = 1;
-  }
-}
-
-/// The triangles that are left, with their numbers before.
-void ListLeft(const CornerTable& corners, std::vector<std::array<Index, 3>>& triangles,
+/// The triangles that are left, in the order of those that they were part of at first, and the
+/// numbers of these.
+void ListLeft(const ImprovableMesh& mesh, std::vector<std::array<Index, 3>>& triangles,
   std::vector<Index>& numbers)
 {
-  triangles.clear();
-  numbers.clear();
-  for (Index corner = 0; corner < corners.CornerCount(); corner += 3)
+  const CornerTable& corners = mesh.Corners;
+  const Index count = corners.CornerCount() / 3;
+  const Index given = count - static_cast<Index>(mesh.Origins.size());
+  std::vector<std::pair<Index, Index>> left;
+  for (Index i = 0; i < count; ++i)
   {
-    if (corners.IsAlive(corner))
+    if (corners.IsAlive(3 * i))
     {
-      triangles.push_back(
-        { corners.VertexOf(corner), corners.VertexOf(corner + 1), corners.VertexOf(corner + 2) });
-      numbers.push_back(corner / 3);
+      left.emplace_back(i < given ? i : mesh.Origins[i - given], i);
     }
+  }
+  if (count > given)
+  {
+    std::sort(left.begin(), left.end());
+  }
+  for (const auto& [number, i] : left)
+  {
+    triangles.push_back(
+      { corners.VertexOf(3 * i), corners.VertexOf(3 * i + 1), corners.VertexOf(3 * i + 2) });
+    numbers.push_back(number);
   }
 }
 
@@ -82,9 +52,28 @@ std::vector<Point3> ListNormals(
   return result;
 }
 
-/// Numbers the points that are in use from 0 on.
+/// Of each triangle of a patch that is no smooth one, the number of its cycle; else -1.
+std::vector<Index> ListPlain(const Patches& patches)
+{
+  std::vector<Index> plain(static_cast<std::size_t>(patches.TriangleCount()), -1);
+  std::size_t inner = 0;
+  for (std::size_t cycle = 0; cycle + 1 < patches.Offsets.size(); ++cycle)
+  {
+    if (inner < patches.Inner.Cycle.size() &&
+      static_cast<std::size_t>(patches.Inner.Cycle[inner]) == cycle)
+    {
+      ++inner;
+      continue;
+    }
+    std::fill(plain.begin() + patches.Offsets[cycle], plain.begin() + patches.Offsets[cycle + 1],
+      static_cast<Index>(cycle));
+  }
+  return plain;
+}
+
+/// Numbers the points that are in use from 0 on. Those after the first `given` ones are new.
 void SetImproved(const ImprovableMesh& mesh, const std::vector<std::array<Index, 3>>& triangles,
-  const std::vector<Index>& numbers, Patches& patches)
+  const std::vector<Index>& numbers, std::size_t given, Patches& patches)
 {
   ImprovedTriangles& improved = patches.Improved;
   improved = {};
@@ -94,7 +83,7 @@ void SetImproved(const ImprovableMesh& mesh, const std::vector<std::array<Index,
     if (mesh.Corners.IsUsed(static_cast<Index>(i)))
     {
       places[i] = static_cast<Index>(improved.Origin.size());
-      improved.Origin.push_back(static_cast<std::int64_t>(i));
+      improved.Origin.push_back(i < given ? static_cast<std::int64_t>(i) : -1);
       improved.Points.insert(improved.Points.end(), mesh.Points[i].begin(), mesh.Points[i].end());
     }
   }
@@ -129,34 +118,13 @@ void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals
     return;
   }
   const std::size_t count = all.Points.size();
-  const std::vector<Point3> normalAt = ListNormals(normals, patches, geometry.Graph.Count(), count);
-  const CornerTable corners(static_cast<Index>(count), all.Triangles);
-  std::vector<std::uint8_t> isFixed(count, 0);
+  std::vector<Point3> normalAt = ListNormals(normals, patches, geometry.Graph.Count(), count);
+  ImprovableMesh mesh{ CornerTable(static_cast<Index>(count), all.Triangles), std::move(all.Points),
+    std::move(normalAt), ListPlain(patches), geometry.Graph.Count() };
+  MeshImprover(geometry.Grid, limits, execution, mesh).Run();
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> numbers;
-  for (int round = 0; round < MaxRounds; ++round)
-  {
-    ImprovableMesh mesh{ corners, all.Points, normalAt, isFixed };
-    MeshImprover(geometry.Grid, limits, mesh).Run(execution);
-    ListLeft(mesh.Corners, triangles, numbers);
-    std::vector<std::uint8_t> isChanged;
-    for (const Index number : numbers)
-    {
-      isChanged.push_back(mesh.Changed[number]);
-    }
-    std::vector<std::pair<Index, Index>> pairs =
-      FindCrossings(mesh.Points, triangles, isChanged, execution);
-    if (pairs.empty())
-    {
-      SetImproved(mesh, triangles, numbers, patches);
-      return;
-    }
-    for (auto& [first, second] : pairs)
-    {
-      first = numbers[first];
-      second = numbers[second];
-    }
-    FixAround(mesh, corners, pairs, round / 3, isFixed);
-  }
+  ListLeft(mesh, triangles, numbers);
+  SetImproved(mesh, triangles, numbers, count, patches);
 }
 }

@@ -17,188 +17,83 @@ constexpr double Degree = 3.14159265358979323846 / 180.0;
 /// Operations for each triangle that there is, at most: a guard, as each makes something better.
 constexpr std::size_t MaxWork = 10;
 
-/// Triangles that are looked at between two questions whether to go on.
-constexpr std::size_t TrianglesBetweenCalls = 256;
+/// New triangles for each that there is, at most: a guard, too.
+constexpr double MaxGrowth = 1.0;
+
+/// Triangles below that share of the angle are split, if nothing else helps: 20 of 22 degrees.
+constexpr double SplitBound = 0.91;
 
 /// The bounds, as shares of the one asked for: the worst come first.
-constexpr std::array<double, 4> Bounds{ 0.1, 0.4, 0.75, 1.0 };
-
-/// The least that an operation gains, as a factor of the squared sine: so that none is done for
-/// nothing.
-constexpr double LeastGain = 1.02;
+constexpr std::array<double, 3> Bounds{ 0.12, 0.5, 1.0 };
 
 /// The same of a collapse, which leaves two triangles less, so that the next one may gain more.
-constexpr double LeastOfCollapse = 0.95;
+constexpr double LeastOfFirstCollapse = 0.95;
 
 /// The cosine of the angle by which a triangle may turn: 60 degrees.
 constexpr double MostTurn = 0.5;
 
 /// What may be done in addition to the worst triangles that are left: those below the share of the
 /// angle may move the surface by so many tolerances, and turn by 84 degrees.
-constexpr double WorstBound = 0.2;
+constexpr double WorstBound = 0.23;
 constexpr double MoreForWorst = 1.4;
 constexpr double MostTurnOfWorst = 0.1;
 
-/// Quality that is taken as it comes: 25 degrees.
-constexpr double Satisfying = 0.18;
+/// Below that share they may turn by any angle: folds and spikes, as thin as the tolerance.
+constexpr double FoldBound = 0.17;
+constexpr double MoreForFolds = 1.5;
+constexpr double AnyTurn = -2.0;
 
-/// Quality beyond which none is better than another one: 35 degrees.
-constexpr double GoodEnough = 0.33;
-
-/// Triangles at a point, at most: many more would cost time, and have small angles anyway.
-constexpr std::size_t MaxValence = 32;
+/// Triangles that are looked at together, before anything is done to them: of a few, so many that
+/// they are not beside each other. It does not depend on the number of threads, so that the result
+/// does not either.
+std::size_t SizeOfBatch(std::size_t count)
+{
+  constexpr std::size_t least = 8, most = 256, apart = 32;
+  return std::max(least, std::min(most, count / apart));
 }
 
-MeshImprover::MeshImprover(
-  const SpatialGrid& grid, const ImprovementLimits& limits, ImprovableMesh& mesh)
-  : Grid(grid)
-  , Limits(limits)
+/// The numbers from 0 on below a count, neighbours as far from each other as batches have to be.
+std::vector<std::size_t> ListApart(std::size_t count)
+{
+  std::vector<std::size_t> order;
+  order.reserve(count);
+  const std::size_t step = (count + SizeOfBatch(count) - 1) / SizeOfBatch(count);
+  for (std::size_t first = 0; first < step; ++first)
+  {
+    for (std::size_t i = first; i < count; i += step)
+    {
+      order.push_back(i);
+    }
+  }
+  return order;
+}
+}
+
+MeshImprover::MeshImprover(const SpatialGrid& grid, const ImprovementLimits& limits,
+  const Execution& execution, ImprovableMesh& mesh)
+  : Limits(limits)
+  , Execute(execution)
   , Mesh(mesh)
-  , Tolerance(limits.Tolerance)
-  , LeastCosine(MostTurn)
-  , Shifts(mesh.Points.size(), 0.0)
+  , State(grid, limits, mesh)
+  , Guard(mesh.Corners, mesh.Points, this->State.Boxes)
+  , TrianglesAtFirst(this->State.Qualities.size())
+  , TouchedAt(mesh.Points.size(), 1)
+  , FailedAt(this->TrianglesAtFirst)
+  , ListedAt(this->TrianglesAtFirst, 0)
 {
-  const std::size_t count = static_cast<std::size_t>(mesh.Corners.CornerCount()) / 3;
-  mesh.Changed.assign(count, 0);
-  this->TouchedAt.assign(mesh.Points.size(), 1);
-  this->FailedAt.assign(count, { 0, 0 });
+  this->State.LeastCosine = MostTurn;
+  this->State.LeastOfCollapse = LeastOfFirstCollapse;
 }
 
-TriangleCorners MeshImprover::PlacesOf(Index triangle) const
+/// Notes that a triangle has changed.
+void MeshImprover::Note(Index triangle)
 {
-  const CornerTable& corners = this->Mesh.Corners;
-  return { this->Mesh.Points[corners.VertexOf(3 * triangle)],
-    this->Mesh.Points[corners.VertexOf(3 * triangle + 1)],
-    this->Mesh.Points[corners.VertexOf(3 * triangle + 2)] };
-}
-
-double MeshImprover::QualityOf(Index triangle) const
-{
-  return SquaredSine(this->PlacesOf(triangle));
-}
-
-/// Whether no triangle of the star that was set has a fixed point.
-bool MeshImprover::IsFree(Index point) const
-{
-  const CornerTable& corners = this->Mesh.Corners;
-  return this->Mesh.Fixed[point] == 0 && point >= this->Limits.Kept &&
-    std::all_of(this->Star.Corners.begin(), this->Star.Corners.end(),
-      [&](Index corner)
-      { return this->Mesh.Fixed[corners.VertexOf(CornerTable::Next(corner))] == 0; });
-}
-
-void MeshImprover::TryFlip(Index corner, Operation& best) const
-{
-  const CornerTable& corners = this->Mesh.Corners;
-  const Index across = corners.OppositeOf(corner);
-  const Index a = corners.StartOf(corner), b = corners.EndOf(corner);
-  const Index c = corners.VertexOf(corner), d = corners.VertexOf(across);
-  for (const Index point : { a, b, c, d })
+  const bool isAlive = this->Mesh.Corners.IsAlive(3 * triangle);
+  this->State.Boxes.Set(triangle, BoxOf(this->Mesh.Corners, this->Mesh.Points, triangle));
+  this->State.Qualities[triangle] = isAlive ? SquaredSine(this->State.PlacesOf(triangle)) : 1.0;
+  if (isAlive)
   {
-    if (this->Mesh.Fixed[point] != 0)
-    {
-      return;
-    }
-  }
-  const Point3 &pa = this->Mesh.Points[a], &pb = this->Mesh.Points[b], &pc = this->Mesh.Points[c],
-               &pd = this->Mesh.Points[d];
-  const TriangleCorners first{ pa, pd, pc }, second{ pd, pb, pc };
-  const double before = std::min(this->QualityOf(corner / 3), this->QualityOf(across / 3));
-  const double quality = std::min(SquaredSine(first), SquaredSine(second));
-  if (!(quality > LeastGain * before) || std::min(quality, GoodEnough) <= best.Quality)
-  {
-    return;
-  }
-  const Point3 around = AreaOf({ pa, pb, pc }) + AreaOf({ pb, pa, pd });
-  if (CosineBetween(AreaOf(first), around) < this->LeastCosine ||
-    CosineBetween(AreaOf(second), around) < this->LeastCosine)
-  {
-    return;
-  }
-  // The two diagonals are so far apart.
-  const Point3 across3 = Cross(pb - pa, pd - pc);
-  const double length = Length(across3);
-  const double shift = length > 0.0 ? std::abs(Dot(pc - pa, across3)) / length : HUGE_VAL;
-  const double known =
-    std::max({ this->Shifts[a], this->Shifts[b], this->Shifts[c], this->Shifts[d] });
-  if (shift + known <= this->Tolerance && corners.CanFlip(corner))
-  {
-    best = { Kind::Flip, corner, -1, {}, shift + known, std::min(quality, GoodEnough) };
-  }
-}
-
-/// Looks at the collapse of a corner's edge, from its start into its end.
-void MeshImprover::TryCollapse(Index corner, Operation& best) const
-{
-  const CornerTable& corners = this->Mesh.Corners;
-  const Index start = corners.StartOf(corner), end = corners.EndOf(corner);
-  this->Star.Set(this->Mesh.Corners, this->Mesh.Points, start);
-  if (!this->IsFree(start) ||
-    this->Star.Corners.size() + static_cast<std::size_t>(corners.Valence(end)) > MaxValence)
-  {
-    return;
-  }
-  double before = 1.0, quality = 1.0;
-  for (const TriangleCorners& triangle : this->Star.Before)
-  {
-    before = std::min(before, SquaredSine(triangle));
-  }
-  const double floor = std::max(LeastOfCollapse * before, best.Quality);
-  if (!(GoodEnough > floor) ||
-    !this->Star.Try(
-      this->Mesh.Corners, { this->Mesh.Points[end], end, floor, this->LeastCosine }, quality))
-  {
-    return;
-  }
-  const double shift = std::max(this->Shifts[start], this->Shifts[end]) +
-    this->Star.Shift(this->Mesh.Points[start], this->Tolerance);
-  if (shift <= this->Tolerance && corners.CanCollapse(corner))
-  {
-    best = { Kind::Collapse, corner, -1, {}, shift, std::min(quality, GoodEnough) };
-  }
-}
-
-/// Looks at moves of a point towards the middle of those around it.
-void MeshImprover::TryMove(Index point, Operation& best) const
-{
-  this->Star.Set(this->Mesh.Corners, this->Mesh.Points, point);
-  if (!this->IsFree(point))
-  {
-    return;
-  }
-  const CornerTable& corners = this->Mesh.Corners;
-  double before = 1.0;
-  Point3 middle{ 0.0, 0.0, 0.0 };
-  for (std::size_t i = 0; i < this->Star.Corners.size(); ++i)
-  {
-    before = std::min(before, SquaredSine(this->Star.Before[i]));
-    middle = middle +
-      (1.0 / this->Star.Corners.size()) *
-        this->Mesh.Points[corners.VertexOf(CornerTable::Next(this->Star.Corners[i]))];
-  }
-  const Point3& from = this->Mesh.Points[point];
-  const Point3 normal = Dot(this->Mesh.Normals[point], this->Mesh.Normals[point]) > 0.0
-    ? this->Mesh.Normals[point]
-    : this->Star.Normal();
-  const Point3 along = (middle - from) - Dot(middle - from, normal) * normal;
-  for (const double step : { 1.0, 0.6, 0.3 })
-  {
-    Point3 place = from + step * along;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      place[axis] = this->Grid.MoveIntoBounds(axis, place[axis]);
-    }
-    double quality;
-    if (!this->Star.Try(this->Mesh.Corners,
-          { place, -1, std::max(LeastGain * before, best.Quality), this->LeastCosine }, quality))
-    {
-      continue;
-    }
-    const double shift = this->Shifts[point] + this->Star.Shift(from, this->Tolerance);
-    if (shift <= this->Tolerance)
-    {
-      best = { Kind::Move, -1, point, place, shift, std::min(quality, GoodEnough) };
-    }
+    this->Open.push_back(triangle);
   }
 }
 
@@ -208,132 +103,232 @@ void MeshImprover::Touch(Index point)
   this->Mesh.Corners.ForCornersAt(point,
     [&](Index corner)
     {
-      this->TouchedAt[this->Mesh.Corners.VertexOf(CornerTable::Next(corner))] = this->Now;
-      this->Mesh.Changed[corner / 3] = 1;
-      this->Open.push_back(corner / 3);
+      this->TouchedAt[this->Mesh.Corners.StartOf(corner)] = this->Now;
+      this->Note(corner / 3);
     });
   this->TouchedAt[point] = this->Now;
 }
 
-void MeshImprover::Apply(const Operation& operation)
+void MeshImprover::Apply(const LocalOperation& operation)
 {
   CornerTable& corners = this->Mesh.Corners;
   ++this->Now;
-  if (operation.What == Kind::Flip)
+  this->State.Samples.Take(operation.Change.Removed,
+    operation.What == LocalOperation::Kind::Move         ? operation.Point
+      : operation.What == LocalOperation::Kind::Collapse ? corners.StartOf(operation.Corner)
+                                                         : -1);
+  if (operation.What == LocalOperation::Kind::Flip)
   {
     const Index across = corners.OppositeOf(operation.Corner);
     for (const Index at : { operation.Corner, CornerTable::Next(operation.Corner),
            CornerTable::Previous(operation.Corner), across })
     {
-      this->Shifts[corners.VertexOf(at)] = operation.Shift;
       this->TouchedAt[corners.VertexOf(at)] = this->Now;
     }
-    for (const Index triangle : { operation.Corner / 3, across / 3 })
-    {
-      this->Mesh.Changed[triangle] = 1;
-      this->Open.push_back(triangle);
-    }
     corners.Flip(operation.Corner);
+    this->Note(operation.Corner / 3);
+    this->Note(across / 3);
+    this->State.Samples.PutDown(operation.Corner / 3, across / 3);
+    return;
+  }
+  if (operation.What == LocalOperation::Kind::Split)
+  {
+    this->ApplySplit(operation);
     return;
   }
   Index point = operation.Point;
-  if (operation.What == Kind::Collapse)
+  if (operation.What == LocalOperation::Kind::Collapse)
   {
+    const Index across = corners.OppositeOf(operation.Corner);
     point = corners.EndOf(operation.Corner);
-    corners.ForCornersAt(
-      corners.StartOf(operation.Corner), [&](Index corner) { this->Mesh.Changed[corner / 3] = 1; });
     corners.Collapse(operation.Corner);
+    this->Note(operation.Corner / 3);
+    this->Note(across / 3);
   }
   else
   {
     this->Mesh.Points[point] = operation.Place;
   }
   this->Touch(point);
-  this->Shifts[point] = std::max(this->Shifts[point], operation.Shift);
+  this->State.Samples.PutDown(point);
 }
 
-/// Does the best of what can be done to a triangle. False if nothing can.
-bool MeshImprover::Improve(Index triangle, bool withMoves)
+void MeshImprover::ApplySplit(const LocalOperation& operation)
 {
-  Operation best;
-  best.Quality = 0.0;
-  // Across the shortest side, the second and the longest one.
-  std::array<std::pair<double, Index>, 3> sides;
-  for (Index i = 0; i < 3; ++i)
+  CornerTable& corners = this->Mesh.Corners;
+  const Index beside[2] = { operation.Corner / 3, corners.OppositeOf(operation.Corner) / 3 };
+  // The corners of these sides, which are split, may be in other triangles then; those across are
+  // not.
+  std::vector<Index> beyond;
+  for (const Index side : operation.Flipped)
   {
-    const Index corner = 3 * triangle + i;
-    sides[i] = { SquaredDistance(this->Mesh.Points[this->Mesh.Corners.StartOf(corner)],
-                   this->Mesh.Points[this->Mesh.Corners.EndOf(corner)]),
-      corner };
+    beyond.push_back(corners.OppositeOf(side));
   }
-  std::sort(sides.begin(), sides.end());
-  this->TryFlip(sides[2].second, best);
-  for (const int i : { 0, 1 })
+  const Index start = corners.StartOf(operation.Corner), end = corners.EndOf(operation.Corner);
+  const Point3 normal = this->Mesh.Normals[start] + this->Mesh.Normals[end];
+  const Index point = corners.Split(operation.Corner);
+  this->Mesh.Points.push_back(operation.Place);
+  this->Mesh.Normals.push_back(Dot(normal, normal) > 0.0 ? Unit(normal) : normal);
+  this->TouchedAt.push_back(this->Now);
+  for (const Index triangle : beside)
   {
-    this->TryCollapse(sides[i].second, best);
-    this->TryCollapse(this->Mesh.Corners.OppositeOf(sides[i].second), best);
-    if (best.Quality >= Satisfying)
-    {
-      break; // what is better elsewhere is not worth looking for
-    }
+    const Index origin = static_cast<std::size_t>(triangle) < this->TrianglesAtFirst
+      ? triangle
+      : this->Mesh.Origins[triangle - this->TrianglesAtFirst];
+    this->Mesh.Origins.push_back(origin);
+    this->State.Qualities.push_back(0.0);
+    this->FailedAt.push_back({});
+    this->State.Boxes.Add(Box3(), triangle);
+    this->ListedAt.push_back(0);
+    this->State.Samples.AddTriangle(triangle);
   }
-  if (best.What == Kind::None)
+  for (const Index corner : beyond)
   {
-    this->TryFlip(sides[0].second, best);
-    this->TryFlip(sides[1].second, best);
+    corners.Flip(corner);
   }
-  for (Index corner = 3 * triangle; withMoves && corner < 3 * triangle + 3; ++corner)
-  {
-    this->TryMove(this->Mesh.Corners.VertexOf(corner), best);
-  }
-  if (best.What == Kind::None)
-  {
-    return false;
-  }
-  this->Apply(best);
-  return true;
+  this->Touch(point);
+  this->State.Samples.PutDown(point);
 }
 
 /// Whether anything beside a triangle has changed since nothing helped it.
-bool MeshImprover::MayHelp(Index triangle, bool withMoves) const
+bool MeshImprover::MayHelp(Index triangle, Means means) const
 {
   Index touched = 0;
   for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
   {
     touched = std::max(touched, this->TouchedAt[this->Mesh.Corners.VertexOf(corner)]);
   }
-  return touched > this->FailedAt[triangle][withMoves ? 1 : 0];
+  return touched > this->FailedAt[triangle][static_cast<std::size_t>(means)];
 }
 
-/// Improves the triangles that are worse than a bound, and those that become so.
-void MeshImprover::RunBelow(double quality, bool withMoves, const Execution& execution)
+/// Sorts out of the open triangles those that are worse than a bound and may be helped.
+std::vector<Index> MeshImprover::ListWorse(double quality, Means means)
 {
-  const CornerTable& corners = this->Mesh.Corners;
-  this->Open.resize(static_cast<std::size_t>(corners.CornerCount()) / 3);
-  std::iota(this->Open.begin(), this->Open.end(), 0);
-  std::size_t work = MaxWork * this->Open.size();
-  for (std::size_t i = 0; i < this->Open.size() && work > 0; ++i)
+  ++this->Listed;
+  std::vector<Index> worse;
+  for (const Index triangle : this->Open)
   {
-    const Index triangle = this->Open[i];
-    if (i % TrianglesBetweenCalls == 0)
+    if (this->State.QualityOf(triangle) < quality && this->ListedAt[triangle] != this->Listed &&
+      this->MayHelp(triangle, means))
     {
-      execution.Advance(i, this->Open.size());
+      this->ListedAt[triangle] = this->Listed;
+      worse.push_back(triangle);
     }
-    if (!corners.IsAlive(3 * triangle) || !(this->QualityOf(triangle) < quality) ||
-      !this->MayHelp(triangle, withMoves))
+  }
+  this->Open.clear();
+  return worse;
+}
+
+/// Does what was found for some triangles, one after another, but for what others of them have
+/// changed or made impossible: that stays open.
+void MeshImprover::ApplyFound(const std::vector<Index>& triangles, Means means)
+{
+  const Index before = this->Now;
+  this->Extents.clear();
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    LocalOperation& found = this->Found[i];
+    if (found.What == LocalOperation::Kind::None)
     {
-      continue;
+      for (std::size_t failed = 0; failed <= static_cast<std::size_t>(means); ++failed)
+      {
+        this->FailedAt[triangles[i]][failed] = before;
+      }
     }
-    --work;
-    if (!this->Improve(triangle, withMoves))
+    else if (this->IsUntouched(found, before) && this->IsStillAllowed(found))
     {
-      this->FailedAt[triangle][0] = this->Now;
-      this->FailedAt[triangle][1] = withMoves ? this->Now : this->FailedAt[triangle][1];
+      this->Extents.push_back(found.Extent);
+      this->Apply(found);
+    }
+    else
+    {
+      this->Open.push_back(triangles[i]);
     }
   }
 }
 
-void MeshImprover::Run(const Execution& execution)
+/// Whether nothing beside what an operation changes was changed after others.
+bool MeshImprover::IsUntouched(const LocalOperation& found, Index before) const
+{
+  for (const std::array<Index, 3>& triangle : found.Change.Added)
+  {
+    for (const Index point : triangle)
+    {
+      if (point != found.Change.Point && this->TouchedAt[point] > before)
+      {
+        return false;
+      }
+    }
+  }
+  return found.What != LocalOperation::Kind::Move || this->TouchedAt[found.Point] <= before;
+}
+
+/// Whether an operation that was allowed is so after others that were done since.
+bool MeshImprover::IsStillAllowed(LocalOperation& found)
+{
+  if (found.What == LocalOperation::Kind::Split)
+  {
+    // Others may have got the number of the point.
+    const Index point = this->Mesh.Corners.PointCount();
+    for (std::array<Index, 3>& triangle : found.Change.Added)
+    {
+      std::replace(triangle.begin(), triangle.end(), found.Change.Point, point);
+    }
+    found.Change.Point = point;
+  }
+  return std::none_of(this->Extents.begin(), this->Extents.end(),
+           [&](const Box3& other) { return other.Meets(found.Extent); }) ||
+    this->Guard.Allows(found.Change);
+}
+
+/// Improves some triangles as far as possible at the same time.
+void MeshImprover::ImproveTogether(const std::vector<Index>& triangles, Means means)
+{
+  const bool mayGrow =
+    static_cast<double>(this->Mesh.Origins.size()) < MaxGrowth * this->TrianglesAtFirst;
+  const Means now = means >= Means::Splits && !mayGrow ? Means::Moves : means;
+  this->Found.assign(triangles.size(), LocalOperation());
+  this->Execute.For(triangles.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      OperationFinder finder(this->State);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        finder.Find(triangles[i], now, this->Found[i]);
+      }
+    });
+  this->ApplyFound(triangles, means);
+}
+
+/// Improves the triangles that are worse than a bound, and those that become so.
+void MeshImprover::RunBelow(double quality, Means means)
+{
+  this->Open.resize(this->State.Qualities.size());
+  std::iota(this->Open.begin(), this->Open.end(), 0);
+  std::size_t work = MaxWork * this->Open.size();
+  std::vector<Index> batch;
+  for (std::vector<Index> worse = this->ListWorse(quality, means); !worse.empty() && work > 0;
+       worse = this->ListWorse(quality, means))
+  {
+    for (const std::size_t i : ListApart(worse.size()))
+    {
+      if (this->State.QualityOf(worse[i]) < quality)
+      {
+        batch.push_back(worse[i]);
+      }
+      if (batch.size() == SizeOfBatch(worse.size()))
+      {
+        this->ImproveTogether(batch, means);
+        batch.clear();
+      }
+    }
+    this->ImproveTogether(batch, means);
+    batch.clear();
+    work -= std::min(work, worse.size());
+  }
+}
+
+void MeshImprover::Run()
 {
   const auto qualityOf = [](double degrees)
   {
@@ -343,12 +338,23 @@ void MeshImprover::Run(const Execution& execution)
   for (const double share : Bounds)
   {
     const double quality = qualityOf(share * this->Limits.SmallAngle);
-    this->RunBelow(quality, false, execution);
-    this->RunBelow(quality, true, execution);
+    this->RunBelow(quality, Means::SameShape);
+    this->RunBelow(quality, Means::Moves);
   }
-  this->Tolerance *= MoreForWorst;
-  this->LeastCosine = MostTurnOfWorst;
-  std::fill(this->FailedAt.begin(), this->FailedAt.end(), std::array<Index, 2>{ 0, 0 });
-  this->RunBelow(qualityOf(WorstBound * this->Limits.SmallAngle), true, execution);
+  this->State.Slack = MoreForWorst;
+  this->State.LeastCosine = MostTurnOfWorst;
+  this->ForgetFailures();
+  this->RunBelow(qualityOf(WorstBound * this->Limits.SmallAngle), Means::Moves);
+  this->State.LeastOfCollapse = LeastGain; // else it might undo splits for ever
+  this->RunBelow(qualityOf(SplitBound * this->Limits.SmallAngle), Means::Splits);
+  this->State.Slack = MoreForFolds;
+  this->State.LeastCosine = AnyTurn;
+  this->ForgetFailures();
+  this->RunBelow(qualityOf(FoldBound * this->Limits.SmallAngle), Means::Beside);
+}
+
+void MeshImprover::ForgetFailures()
+{
+  std::fill(this->FailedAt.begin(), this->FailedAt.end(), std::array<Index, MeansCount>{});
 }
 }

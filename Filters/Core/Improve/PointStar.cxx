@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Improve/PointStar.h"
 
-#include "Core/Base/TriangleDistance.h"
 #include "Core/Base/Vectors.h"
 
 #include <algorithm>
@@ -20,29 +19,15 @@ constexpr double MostTilt = 0.2;
 
 /// The share of the tolerance up to which distances need not be known exactly.
 constexpr double NearEnough = 0.1;
-
-/// The distance of a place from triangles, or `enough` if it is less.
-double DistanceTo(const std::vector<TriangleCorners>& triangles, const Point3& place, double enough)
-{
-  double nearest = HUGE_VAL;
-  for (const TriangleCorners& t : triangles)
-  {
-    nearest = std::min(nearest, SquaredDistanceToTriangle(place, t[0], t[1], t[2]));
-    if (nearest <= enough * enough)
-    {
-      return enough;
-    }
-  }
-  return std::sqrt(nearest);
-}
 }
 
 Point3 AreaOf(const TriangleCorners& t) { return Cross(t[1] - t[0], t[2] - t[0]); }
 
-double SquaredSine(const TriangleCorners& t)
+double SquaredSine(const TriangleCorners& t) { return SquaredSine(t, AreaOf(t)); }
+
+double SquaredSine(const TriangleCorners& t, const Point3& area)
 {
   // The two longer sides enclose the smallest angle.
-  const Point3 area = AreaOf(t);
   const double a = SquaredDistance(t[0], t[1]);
   const double b = SquaredDistance(t[1], t[2]);
   const double c = SquaredDistance(t[2], t[0]);
@@ -58,8 +43,12 @@ double CosineBetween(const Point3& a, const Point3& b)
 
 void PointStar::Set(const CornerTable& corners, const std::vector<Point3>& points, Index point)
 {
+  this->Point = point;
   this->Corners.clear();
   this->Before.clear();
+  this->Shapes.clear();
+  this->Outwards = { 0.0, 0.0, 0.0 };
+  this->Quality = 1.0;
   corners.ForCornersAt(point,
     [&](Index corner)
     {
@@ -67,59 +56,44 @@ void PointStar::Set(const CornerTable& corners, const std::vector<Point3>& point
       this->Corners.push_back(corner);
       this->Before.push_back({ points[corners.VertexOf(first)], points[corners.VertexOf(first + 1)],
         points[corners.VertexOf(first + 2)] });
+      const Point3 area = AreaOf(this->Before.back());
+      const double quality = SquaredSine(this->Before.back(), area);
+      this->Shapes.push_back({ area, quality, corners.StartOf(corner) });
+      this->Outwards = this->Outwards + area;
+      this->Quality = std::min(this->Quality, quality);
     });
 }
 
-Point3 PointStar::Normal() const
+bool PointStar::Try(const StarChange& change, double& quality)
 {
-  Point3 sum{ 0.0, 0.0, 0.0 };
-  for (const TriangleCorners& triangle : this->Before)
-  {
-    sum = sum + AreaOf(triangle);
-  }
-  return Unit(sum);
-}
-
-bool PointStar::Try(const CornerTable& corners, const StarChange& change, double& quality)
-{
-  const Point3 normal = this->Normal();
+  const std::size_t count = this->Corners.size();
   this->After.clear();
+  this->Places.clear();
   quality = 1.0;
-  for (std::size_t i = 0; i < this->Corners.size(); ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const Index corner = this->Corners[i];
-    if (corners.StartOf(corner) == change.Left || corners.EndOf(corner) == change.Left)
+    // The triangles come counter-clockwise.
+    if (this->Shapes[i].Start == change.Left || this->Shapes[(i + 1) % count].Start == change.Left)
     {
       continue;
     }
     TriangleCorners triangle = this->Before[i];
-    triangle[corner % 3] = change.Place;
-    quality = std::min(quality, SquaredSine(triangle));
+    triangle[this->Corners[i] % 3] = change.Place;
+    const Point3 area = AreaOf(triangle);
+    quality = std::min(quality, SquaredSine(triangle, area));
     if (!(quality > change.LeastQuality))
     {
       return false;
     }
-    const Point3 area = AreaOf(triangle);
-    if (SquaredSine(this->Before[i]) < SliverQuality
-        ? CosineBetween(area, normal) < MostTilt
-        : CosineBetween(area, AreaOf(this->Before[i])) < change.LeastCosine)
+    const bool wasSliver = this->Shapes[i].Quality < SliverQuality;
+    if (wasSliver ? CosineBetween(area, this->Outwards) < std::min(MostTilt, change.LeastCosine)
+                  : CosineBetween(area, this->Shapes[i].Area) < change.LeastCosine)
     {
       return false;
     }
     this->After.push_back(triangle);
+    this->Places.push_back(i);
   }
   return !this->After.empty();
-}
-
-double PointStar::Shift(const Point3& place, double tolerance) const
-{
-  const double enough = NearEnough * tolerance;
-  double shift = DistanceTo(this->After, place, enough);
-  for (std::size_t i = 0; i < this->Corners.size() && shift <= tolerance; ++i)
-  {
-    const Point3& end = this->Before[i][(this->Corners[i] + 1) % 3];
-    shift = std::max(shift, DistanceTo(this->After, Between(place, end, 0.5), enough));
-  }
-  return shift;
 }
 }

@@ -18,6 +18,9 @@ Point3 AreaOf(const TriangleCorners& t);
 /// The squared sine of a triangle's smallest angle.
 double SquaredSine(const TriangleCorners& t);
 
+/// The same, if AreaOf the triangle is known.
+double SquaredSine(const TriangleCorners& t, const Point3& area);
+
 /// The cosine of the angle between two vectors; 0 if one has no length.
 double CosineBetween(const Point3& a, const Point3& b);
 
@@ -36,23 +39,29 @@ class PointStar
 public:
   void Set(const CornerTable& corners, const std::vector<Point3>& points, Index point);
 
-  /// The direction outwards.
-  Point3 Normal() const;
-
   /**
    * Looks at the triangles as they would be, and sets `quality` to the least SquaredSine of them.
    * False if the change may not be. Triangles that were slivers have normals that say nothing:
    * instead of the angle by which they turn, that against the normal of the star counts.
    */
-  bool Try(const CornerTable& corners, const StarChange& change, double& quality);
+  bool Try(const StarChange& change, double& quality);
 
-  /// How far the point, which is at `place`, and the middles of its edges are from the triangles as
-  /// they would be; not exactly if that is far less or more than the tolerance.
-  double Shift(const Point3& place, double tolerance) const;
-
-  std::vector<Index> Corners;          ///< at the point
+  Index Point = -1;
+  Point3 Outwards{};                   ///< the direction of the normal
+  double Quality = 0.0;                ///< the least SquaredSine of the triangles as they are
+  std::vector<Index> Corners;          ///< at the point, counter-clockwise
   std::vector<TriangleCorners> Before; ///< the triangles of these
   std::vector<TriangleCorners> After;  ///< those that would not vanish
+  std::vector<std::size_t> Places;     ///< of these among all
+
+private:
+  struct Shape
+  {
+    Point3 Area;    ///< AreaOf a triangle
+    double Quality; ///< its SquaredSine
+    Index Start;    ///< its corner after the point
+  };
+  std::vector<Shape> Shapes; ///< of the triangles as they are
 };
 }
 

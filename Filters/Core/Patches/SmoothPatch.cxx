@@ -29,6 +29,13 @@ constexpr double MinLightSide = 0.3;
 /// changes by 1 %, and the number of triangles by 5 %.
 constexpr double HeightByAccuracy = 0.6;
 
+/// The share of the mean height of the surface over the sides at a point inside a patch by which the
+/// point is moved out. All of it would divide the error evenly if the surface were known; but
+/// smooth patches bulge somewhat more than objects do. From all to 0.4, the RMS error of nine
+/// shapes at 16 and 32 planes per axis gets smaller or stays, of the knot from 1.11 to 1.06 times
+/// that of all triangles.
+constexpr double ShareOfHeight = 0.4;
+
 /// How far zeros may lie from the middle of the border, or from its heights. The top of a
 /// hemisphere lies 1 off the middle of its rim: farther zeros are others, of another part of the
 /// function.
@@ -285,7 +292,7 @@ void SmoothPatchBuilder::Balance(const PatchBorder& outline, InnerPatch& patch) 
   }
   for (std::size_t i = 0; i < sums.size(); ++i)
   {
-    const Point3 moved = patch.Points[i] + (sums[i] / counts[i]) * patch.Normals[i];
+    const Point3 moved = patch.Points[i] + (ShareOfHeight * sums[i] / counts[i]) * patch.Normals[i];
     patch.Points[i] = outline.MoveInside(this->Grid, moved);
   }
 }

@@ -15,7 +15,7 @@ namespace orthoslices
 struct ImprovedTriangles
 {
   std::vector<double> Points;       ///< x, y, z of each
-  std::vector<std::int64_t> Origin; ///< of each point, ascending: its id before
+  std::vector<std::int64_t> Origin; ///< of each point, ascending: its id before; new ones: -1, last
   std::vector<Index> Corners;       ///< three points of each triangle
 
   bool Any() const { return !this->Corners.empty(); }

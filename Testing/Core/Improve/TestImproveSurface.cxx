@@ -58,8 +58,24 @@ TEST(ImproveSurface, RandomInputStaysEmbedded)
     Input input = seed % 2 == 0 ? RandomConsistentInput(seed) : RandomContradictoryInput(seed);
     SCOPED_TRACE(input.Name);
     input.Settings.Patching.Accuracy = seed % 3 == 0 ? 0.2 : 0.03;
-    const Reconstruction result =
-      Reconstruct(PieceSets(input.Sets), input.Settings, Execution());
+    const Reconstruction result = Reconstruct(PieceSets(input.Sets), input.Settings, Execution());
+    EXPECT_EQ(DescribeFlaws(MeshOf(result)), "");
+  }
+}
+
+//----------------------------------------------------------------------------
+/// One, two and three families of few planes across thin tubes: patches of several polygons, fans
+/// of many triangles, walls near each other.
+TEST(ImproveSurface, SparseInputStaysEmbedded)
+{
+  const std::uint64_t first = FirstSeed();
+  for (std::uint64_t seed = first; seed < first + RandomRuns(60); ++seed)
+  {
+    Input input = RandomSparseInput(seed);
+    SCOPED_TRACE(input.Name);
+    input.Settings.Patching.OwnAccuracy = seed % 2 == 0;
+    input.Settings.Patching.Accuracy = seed % 2 == 0 ? 0.0 : 0.1;
+    const Reconstruction result = Reconstruct(PieceSets(input.Sets), input.Settings, Execution());
     EXPECT_EQ(DescribeFlaws(MeshOf(result)), "");
   }
 }

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesImprovableMesh_h
+#define OrthoSlicesImprovableMesh_h
+
+#include "Core/Surface/CornerTable.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/// A triangle surface whose triangles are to be shaped well.
+struct ImprovableMesh
+{
+  CornerTable Corners;
+  std::vector<Point3> Points;
+  std::vector<Point3> Normals; ///< of the surface at the points; zero where it has none
+  /// Of each triangle, if it is part of a patch that no smooth surface stands behind: the number of
+  /// that patch; else -1. Empty: all are -1.
+  std::vector<Index> Plain{};
+  /// Points from that one on are inside patches.
+  Index FirstInside = 0;
+  std::vector<Index> Origins{}; ///< of each triangle that is new: one that was where it is
+};
+
+/// What may be done to a surface.
+struct ImprovementLimits
+{
+  /// How far the surface may move, in world units; beside the worst triangles, 1.5 times as far.
+  double Tolerance = 0.0;
+  double SmallAngle = 0.0; ///< triangles with a smaller one are to be improved, in degrees
+  Index Kept = 0;          ///< the first so many points stay where they are
+};
+}
+
+#endif

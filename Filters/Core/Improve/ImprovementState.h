@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesImprovementState_h
+#define OrthoSlicesImprovementState_h
+
+#include "Core/Improve/CrossingGuard.h"
+#include "Core/Improve/PointStar.h"
+#include "Core/Improve/SurfaceSamples.h"
+#include "Core/Slices/SpatialGrid.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/// A surface while it is improved, and what may be done to it now.
+struct ImprovementState
+{
+  ImprovementState(const SpatialGrid& grid, const ImprovementLimits& limits, ImprovableMesh& mesh);
+
+  const Point3& At(Index point) const { return this->Mesh.Points[point]; }
+  TriangleCorners PlacesOf(Index triangle) const
+  {
+    const CornerTable& corners = this->Mesh.Corners;
+    return { this->At(corners.VertexOf(3 * triangle)), this->At(corners.VertexOf(3 * triangle + 1)),
+      this->At(corners.VertexOf(3 * triangle + 2)) };
+  }
+  double QualityOf(Index triangle) const { return this->Qualities[triangle]; }
+
+  const SpatialGrid& Grid;
+  ImprovableMesh& Mesh;
+  Index Kept;    ///< the first so many points stay where they are
+  BoxTree Boxes; ///< of the triangles
+  SurfaceSamples Samples;
+  std::vector<double> Qualities; ///< of each triangle: its SquaredSine; 1 if it is gone
+  double Slack = 1.0;            ///< how many tolerances the surface may move,
+  double LeastCosine = 0.0;      ///< by which angle triangles may turn,
+  double LeastOfCollapse = 0.0;  ///< and the least gain of a collapse, as a factor of the quality
+};
+}
+
+#endif
