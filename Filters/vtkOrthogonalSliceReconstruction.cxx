@@ -11,8 +11,11 @@
 #include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
+#include "Bridge/GatherInputs.h"
+#include "Bridge/ProcessGroup.h"
 #include "Bridge/ReadLabels.h"
 #include "Bridge/ReadPieces.h"
+#include "Bridge/TakePiece.h"
 #include "Bridge/TimeSteps.h"
 #include "Bridge/WriteComponents.h"
 #include "Bridge/WriteGraph.h"
@@ -25,7 +28,9 @@
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
@@ -39,6 +44,7 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkOrthogonalSliceReconstruction);
+vtkCxxSetObjectMacro(vtkOrthogonalSliceReconstruction, Controller, vtkMultiProcessController);
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -59,6 +65,12 @@ vtkOrthogonalSliceReconstruction::vtkOrthogonalSliceReconstruction()
 {
   this->SetNumberOfInputPorts(InputPorts);
   this->SetNumberOfOutputPorts(8);
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkOrthogonalSliceReconstruction::~vtkOrthogonalSliceReconstruction()
+{
+  this->SetController(nullptr);
 }
 
 int vtkOrthogonalSliceReconstruction::FillInputPortInformation(int, vtkInformation* info)
@@ -138,17 +150,29 @@ int vtkOrthogonalSliceReconstruction::RequestInformation(
   return 1;
 }
 
-int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+namespace
 {
-  // Contours of all pieces belong together: every request needs the whole input.
+/// What is asked of an output for which the pipeline passes on a request.
+vtkInformation* RequestOf(vtkInformation* request, vtkInformationVector* outputs)
+{
+  const int from = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
+  return outputs->GetInformationObject(from);
+}
+}
+
+int vtkOrthogonalSliceReconstruction::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  // Contours of all pieces belong together: one process needs the whole input, several exchange
+  // what each of them has.
+  const orthoslices::ProcessGroup group(this->Controller, RequestOf(request, outputs));
   for (int port = 0; port < InputPorts; ++port)
   {
     vtkInformation* input = inputs[port]->GetInformationObject(0);
     if (input != nullptr)
     {
-      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), group.GetRanks().Rank);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), group.GetRanks().Count);
       input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
     }
   }
@@ -160,36 +184,106 @@ int vtkOrthogonalSliceReconstruction::RequestData(
 {
   orthoslices::ClearFieldData(outputs);
   orthoslices::MarkTime(this->ListInputs(), outputs);
-  const int from = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT()));
-  if (outputs->GetInformationObject(from)->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
+  vtkInformation* asked = RequestOf(request, outputs);
+  orthoslices::ProcessGroup group(this->Controller, asked);
+  if (!group.IsParallel() && asked->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
   {
-    return 1; // the first process makes the whole surface
+    return 1; // without other processes, the first piece is the whole surface
   }
-  if (!this->CheckProperties() || !this->CheckInputs(inputs))
-  {
-    return 0;
-  }
+  this->Processes = group.IsParallel() ? &group : nullptr;
+  const bool done = this->MakeWithOthers(group, inputs, outputs);
+  this->Processes = nullptr;
+  this->GatheredInputs.clear();
+  return done ? 1 : 0;
+}
+
+/// What this process has to make of the outputs. However it ends, the others of a parallel run hear
+/// of it. False, with an error and empty outputs, if they cannot be made; empty outputs without an
+/// error if it was aborted.
+bool vtkOrthogonalSliceReconstruction::MakeWithOthers(
+  orthoslices::ProcessGroup& group, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  bool done = false;
   try
   {
-    return this->MakeOutputs(inputs, outputs) ? 1 : 0;
+    done =
+      group.IsParallel() ? this->MakePieces(inputs, outputs) : this->MakeOutputs(inputs, outputs);
+    const bool aborted = this->GetAbortExecute() != 0;
+    done && !aborted ? group.Finish() : group.Fail(aborted ? "aborted." : "reported an error.");
+    return done;
   }
   catch (const orthoslices::Stopped&)
   {
-    orthoslices::ClearOutputs(outputs);
-    return 1;
+    group.Fail("aborted.");
+    done = true;
   }
   catch (const std::bad_alloc&)
   {
-    orthoslices::ClearOutputs(outputs);
+    group.Fail("has not enough memory.");
     vtkErrorMacro("There is not enough memory for the surface of these contours.");
-    return 0;
+    done = false;
   }
+  catch (const std::exception& failure)
+  {
+    group.Fail(failure.what());
+    vtkErrorMacro(<< failure.what());
+    done = false;
+  }
+  orthoslices::ClearOutputs(outputs);
+  return done;
 }
 
-/// What was asked for. False, with an error and empty outputs, if that cannot be.
+/// The piece of this process, and on the first one all other outputs.
+bool vtkOrthogonalSliceReconstruction::MakePieces(
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const orthoslices::Ranks& ranks = this->Processes->GetRanks();
+  if (!this->CheckProperties())
+  {
+    return false;
+  }
+  std::vector<vtkDataObject*> own;
+  for (int port = 0; port < InputPorts; ++port)
+  {
+    own.push_back(vtkDataObject::GetData(inputs[port]));
+  }
+  this->GatheredInputs = orthoslices::GatherInputs(own, ranks);
+  vtkNew<vtkInformationVector> ofPorts[InputPorts];
+  vtkInformationVector* gathered[InputPorts];
+  for (int port = 0; port < InputPorts; ++port)
+  {
+    gathered[port] = ofPorts[port];
+    if (this->GatheredInputs[port] != nullptr)
+    {
+      vtkNew<vtkInformation> info;
+      info->Set(vtkDataObject::DATA_OBJECT(), this->GatheredInputs[port]);
+      gathered[port]->Append(info);
+    }
+  }
+  if (!this->MakeOutputs(gathered, outputs))
+  {
+    return false;
+  }
+  vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
+  if (surface->GetPointData()->GetGlobalIds() == nullptr)
+  {
+    orthoslices::TakePiece(ranks, surface); // it could not be made in pieces
+  }
+  for (int port = 1; port < this->GetNumberOfOutputPorts() && ranks.Rank > 0; ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+  return true;
+}
+
+/// All outputs, of all contours of the inputs. False, with an error, if that cannot be.
 bool vtkOrthogonalSliceReconstruction::MakeOutputs(
   vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  if (!this->CheckProperties() || !this->CheckInputs(inputs))
+  {
+    return false;
+  }
   this->SetProgressText("Reading contours");
   orthoslices::Options options;
   this->GetOptions(options);
@@ -205,6 +299,10 @@ bool vtkOrthogonalSliceReconstruction::MakeOutputs(
   }
   else
   {
+    if (this->Processes != nullptr && this->CanBeDivided(sorted))
+    {
+      options.Processes = &this->Processes->GetRanks();
+    }
     done = this->ReconstructAll(std::move(sorted), options, outputs);
   }
   if (done)
@@ -213,6 +311,23 @@ bool vtkOrthogonalSliceReconstruction::MakeOutputs(
       this->ListInputs(), vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1));
   }
   return done;
+}
+
+/// Whether processes can make parts of the surface. Curvatures, cuts at the border of the image and
+/// distances from contours on other planes are those of a whole surface.
+bool vtkOrthogonalSliceReconstruction::CanBeDivided(const orthoslices::SortedSlices& sorted) const
+{
+  return !this->ComputeCurvatures && this->BorderContours != LEAVE_OPEN_AT_BORDER &&
+    sorted.Others.Count() == 0;
+}
+
+/// Warns the user, once in a parallel run: all processes have the same to say.
+void vtkOrthogonalSliceReconstruction::Warn(const std::string& text)
+{
+  if (this->Processes == nullptr || this->Processes->IsFirst())
+  {
+    vtkWarningMacro(<< text);
+  }
 }
 
 /// The outputs of one structure, or the reason why there are none, and what else to tell the user.
@@ -261,7 +376,7 @@ bool vtkOrthogonalSliceReconstruction::ReconstructAll(orthoslices::SortedSlices&
   }
   else if (!text.empty())
   {
-    vtkWarningMacro(<< text);
+    this->Warn(text);
   }
   return done;
 }
@@ -283,8 +398,8 @@ orthoslices::ContourLabels vtkOrthogonalSliceReconstruction::ReadLabels(
   }
   else if (labels.Unlabelled > 0)
   {
-    vtkWarningMacro(<< labels.Unlabelled << " contours have no label in the cell array \""
-                    << this->LabelArray << "\" and take no part in any surface.");
+    this->Warn(std::to_string(labels.Unlabelled) + " contours have no label in the cell array \"" +
+      this->LabelArray + "\" and take no part in any surface.");
   }
   return labels;
 }
@@ -355,15 +470,21 @@ bool vtkOrthogonalSliceReconstruction::WriteLabels(orthoslices::LabelSurfaces&& 
   appended.Finish();
   if (!(refused.str() + report.str()).empty())
   {
-    vtkWarningMacro(<< refused.str() << report.str());
+    this->Warn(refused.str() + report.str());
   }
   return true;
 }
 
-/// The inputs of all ports; null where there is none.
+/// The inputs of all ports, those of all processes while these make a surface together; null where
+/// there is none.
 std::vector<vtkDataObject*> vtkOrthogonalSliceReconstruction::ListInputs()
 {
   std::vector<vtkDataObject*> inputs;
+  if (!this->GatheredInputs.empty())
+  {
+    inputs.assign(this->GatheredInputs.begin(), this->GatheredInputs.end());
+    return inputs;
+  }
   for (int port = 0; port < InputPorts; ++port)
   {
     const bool isConnected = this->GetNumberOfInputConnections(port) > 0;
@@ -524,7 +645,10 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
     ownsLabel ? "Label" : "");
   carrier.AddToGraph(result, graph->GetCellData());
   carrier.ChooseContours(result, orthoslices::ExecuteShare(this, 0.2, 0.3));
-  const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures };
+  // Of a whole surface, all is known here.
+  const orthoslices::Ranks ranks = result.Part ? this->Processes->GetRanks() : orthoslices::Ranks();
+  const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures,
+    &ranks };
   const double reportTolerance = this->ReportTolerance * result.Diagonal;
   const orthoslices::Box3 openBorder = result.OpenBorder;
   const orthoslices::AxisFrame frame = result.Frame;
@@ -534,7 +658,7 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   carrier.AddToSurface(surface->GetCellData());
   orthoslices::CutAtBorder(openBorder, frame, surface);
   const bool mayBeOpen = this->BorderContours == LEAVE_OPEN_AT_BORDER;
-  orthoslices::WriteComponentTable(surface, mayBeOpen, vtkTable::GetData(outputs, 7));
+  orthoslices::WriteComponentTable(surface, mayBeOpen, ranks, vtkTable::GetData(outputs, 7));
   this->UpdateProgress(1.0);
 }
 

@@ -206,8 +206,13 @@
  * NaN, an empty name) take no part, and a warning counts them. A label whose contours are refused
  * leaves the others as they are; a warning names it. Only if all are refused, this is an error.
  *
- * In a parallel run the first process reconstructs the whole surface from the whole input; the
- * outputs of the others are empty.
+ * In a parallel run each process has its contours, and gets its piece of the surface: the surface
+ * of one process that has the contours of all, divided. Pieces have the point data "GlobalPointIds"
+ * and the cell data "GlobalCellIds" (vtkIdType): ids in that surface. A point of several pieces is
+ * marked in "vtkGhostType" on all but the first of them (DUPLICATEPOINT), as vtkGenerateGlobalIds
+ * does it. There are no ghost cells; vtkGhostCellsGenerator makes them from the global ids. Field
+ * data are those of the whole surface, on all; the other outputs are whole, on the first process
+ * alone. If a process fails or is aborted, all end with an error.
  *
  * @section Guarantees Guarantees
  * G1 to G7 in Core/Reconstruct.h: closed (but for BorderContours = LEAVE_OPEN_AT_BORDER),
@@ -240,6 +245,7 @@
 #include "vtkFiltersOrthogonalSlicesModule.h" // for export macro
 #include "vtkNew.h"
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
 #include <functional>
@@ -247,6 +253,7 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkMultiProcessController;
 class vtkTable;
 
 namespace orthoslices
@@ -256,6 +263,7 @@ struct FrameOptions;
 struct LabelSurfaces;
 struct Options;
 struct Polylines;
+class ProcessGroup;
 struct Reconstruction;
 struct SortedSlices;
 }
@@ -858,6 +866,15 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
+  ///@{
+  /**
+   * The processes that make the surface together; DEFAULT: the global controller. If it has several
+   * processes, and each is asked for its own piece of as many, all have to update the filter.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
   /**
    * Connects one family of slices: the same as SetInputConnection(family - 1, output), with the
    * x-slices as family 1, the y-slices as family 2, the z-slices as family 3, and slices of any
@@ -890,7 +907,7 @@ public:
 
 protected:
   vtkOrthogonalSliceReconstruction();
-  ~vtkOrthogonalSliceReconstruction() override = default;
+  ~vtkOrthogonalSliceReconstruction() override;
 
   ///@{
   /// What the pipeline of VTK calls.
@@ -906,9 +923,14 @@ private:
   void operator=(const vtkOrthogonalSliceReconstruction&) = delete;
 
   // The steps of RequestData; checks that fail have reported an error.
+  bool MakeWithOthers(
+    orthoslices::ProcessGroup& group, vtkInformationVector** inputs, vtkInformationVector* outputs);
+  bool MakePieces(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  bool MakeOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  bool CanBeDivided(const orthoslices::SortedSlices& sorted) const;
+  void Warn(const std::string& text);
   bool CheckProperties();
   bool CheckInputs(vtkInformationVector** inputs);
-  bool MakeOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
   orthoslices::SortedSlices SortInputs(vtkInformationVector** inputs) const;
   bool NeedsDoublePrecision(vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
   orthoslices::FrameOptions GetFrameOptions() const;
@@ -935,6 +957,9 @@ private:
     const std::vector<std::uint8_t>& guiding, vtkInformationVector* outputs) const;
   std::vector<vtkDataObject*> ListInputs();
 
+  vtkMultiProcessController* Controller = nullptr;
+  orthoslices::ProcessGroup* Processes = nullptr;             ///< during a parallel RequestData
+  std::vector<vtkSmartPointer<vtkDataObject>> GatheredInputs; ///< of all ports, then
   std::string LabelArray;
   vtkNew<vtkStringArray> CellArrayNames; ///< see GetCellArrayNames
   double PlaneTolerance = 1e-5;

@@ -33,7 +33,8 @@ void AddArray(const char* name, const std::vector<float>& values, vtkPointData* 
 
 }
 
-void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Execution& execution)
+void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Execution& execution,
+  const SharedPoints* shared)
 {
   const vtkIdType count = surface->GetNumberOfPoints();
   const std::size_t parts = static_cast<std::size_t>(NumberOfThreads());
@@ -44,8 +45,8 @@ void AddNormals(vtkPolyData* surface, const std::vector<float>& smooth, const Ex
   VisitTriangles(surface,
     [&](const auto* xyz, const auto* triangles, vtkIdType triangleCount)
     {
-      ComputePointNormals(
-        xyz, count, triangles, triangleCount, smooth, execution, normals->GetPointer(0), parts);
+      ComputePointNormals(xyz, count, triangles, triangleCount, smooth, execution,
+        normals->GetPointer(0), parts, shared);
     });
   surface->GetPointData()->SetNormals(normals);
 }
@@ -62,12 +63,12 @@ void AddCurvatures(vtkPolyData* surface)
   AddArray("GaussianCurvature", curvatures.Gaussian, surface->GetPointData());
 }
 
-void AddQuality(vtkPolyData* surface, const Execution& execution)
+void AddQuality(vtkPolyData* surface, const Execution& execution, const Ranks& ranks)
 {
   TriangleQuality quality;
   VisitTriangles(surface,
     [&](const auto* xyz, const auto* triangles, vtkIdType count)
-    { quality = MeasureQuality(xyz, triangles, count, execution); });
+    { quality = JoinQualities(MeasureQuality(xyz, triangles, count, execution), count, ranks); });
   const auto add = [&](const char* name, double value)
   {
     vtkNew<vtkDoubleArray> array;

@@ -14,7 +14,7 @@
 
 namespace orthoslices
 {
-void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, vtkTable* table)
+void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, const Ranks& ranks, vtkTable* table)
 {
   auto* ids = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("ComponentId"));
   auto* number =
@@ -25,8 +25,8 @@ void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, vtkTable* table)
     [&](const auto* xyz, const auto* triangles, vtkIdType count)
     {
       measures = MeasureComponents(xyz, triangles, count, ids->GetPointer(0),
-        static_cast<int>(number->GetValue(0)), mayBeOpen);
-      seeds = FindSeeds(xyz, triangles, count, ids->GetPointer(0), measures);
+        static_cast<int>(number->GetValue(0)), mayBeOpen, ranks);
+      seeds = FindSeeds(xyz, triangles, count, ids->GetPointer(0), measures, ranks);
     });
   auto* component = AddColumn<vtkIntArray>(table, "ComponentId");
   auto* area = AddColumn<vtkDoubleArray>(table, "Area");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bridge/WriteSurface.h"
 
+#include "Bridge/PieceMarks.h"
 #include "Bridge/PointArrays.h"
 #include "Bridge/SurfaceArrays.h"
 #include "Core/Reconstruction.h"
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #ifdef __GLIBC__
@@ -65,25 +67,6 @@ void FillTriangles(const Reconstruction& result, const Execution& execution, vtk
   const CycleGeometry geometry = GeometryOf(result);
   WriteTriangles(result.Surface, geometry, execution, connectivity->GetPointer(0));
   cells->SetData(offsets, connectivity);
-}
-
-/// The normals of some of all points, x, y and z of each; zero for -1, a new point.
-std::vector<float> SelectNormals(
-  const std::vector<float>& normals, const std::vector<std::int64_t>& points)
-{
-  std::vector<float> selected;
-  selected.reserve(3 * points.size());
-  for (const std::int64_t point : points)
-  {
-    if (point < 0)
-    {
-      selected.insert(selected.end(), 3, 0.0f);
-      continue;
-    }
-    const auto first = normals.begin() + static_cast<std::ptrdiff_t>(3 * point);
-    selected.insert(selected.end(), first, first + 3);
-  }
-  return selected;
 }
 
 /// Distance of the two contours at the node points, which are the first of all points, 0 at all
@@ -286,6 +269,12 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   result.Drawn = {};
   Patches& patches = result.Surface;
   const bool isImproved = patches.Improved.Any();
+  const Ranks ranks = result.Part ? *arrays.Processes : Ranks();
+  std::optional<PieceMarks> marks;
+  if (result.Part)
+  {
+    marks.emplace(result, ranks);
+  }
   GiveBackMemory(result);
   SetTriangles(result, execution, surface);
   Release(patches.Inner.Corners);
@@ -301,18 +290,24 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   Release(patches.CentralPoints);
   Release(patches.Inner.Points);
   Release(patches.Improved.Points);
-  if (arrays.Normals || arrays.Curvatures)
+  const bool withNormals = arrays.Normals || arrays.Curvatures;
+  std::vector<float> smooth = withNormals ? ListNormals(result, execution) : std::vector<float>();
+  result.Normals = SurfaceNormals();
+  Release(patches.Inner.Normals);
+  if (marks)
   {
-    const std::vector<float> smooth = ListNormals(result, execution);
-    result.Normals = SurfaceNormals();
-    Release(patches.Inner.Normals);
-    AddNormals(surface, smooth, execution);
+    smooth = marks->Apply(smooth, surface);
   }
+  if (withNormals)
+  {
+    AddNormals(surface, smooth, execution, marks ? &marks->GetShared() : nullptr);
+  }
+  Release(smooth);
   const CellCycles cycles = std::move(result.Cycles);
   const std::vector<std::int64_t> offsets = std::move(patches.Offsets);
   result = Reconstruction();
   FillCellArrays(values, cycles, offsets, execution, surface->GetCellData());
-  AddQuality(surface, execution);
+  AddQuality(surface, execution, ranks);
   if (arrays.Curvatures)
   {
     AddCurvatures(surface);

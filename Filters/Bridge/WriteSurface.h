@@ -4,6 +4,7 @@
 #define OrthoSlicesWriteSurface_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Base/Ranks.h"
 
 class vtkPolyData;
 
@@ -16,12 +17,16 @@ struct SurfaceArrayOptions
 {
   bool Normals = true;
   bool Curvatures = false;
+  /// Processes of which each has a part of the surface, where Reconstruction::Part says so; or null.
+  /// Then there are no curvatures.
+  const Ranks* Processes = nullptr;
 };
 
 /**
  * Port 0: triangles, cell arrays, normals, field data; see vtkOrthogonalSliceReconstruction.
  * Consumes the result: each part is released as soon as it is written, because this is where
- * memory peaks.
+ * memory peaks. Of a part of the surface, writes the piece of this process, marked as such: see
+ * MarkPiece.
  */
 void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool doublePrecision,
   const SurfaceArrayOptions& arrays, double reportTolerance, vtkPolyData* surface);

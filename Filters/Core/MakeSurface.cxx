@@ -10,6 +10,7 @@
 #include "Core/Improve/ImproveSurface.h"
 #include "Core/Labels/LightenStructures.h"
 #include "Core/PatchAllCells.h"
+#include "Core/Patches/DivideCycles.h"
 #include "Core/Patches/Domes.h"
 #include "Core/Patches/FitError.h"
 #include "Core/Slabs/StitchSlabs.h"
@@ -213,7 +214,8 @@ void FindNormals(const PatchOptions& patching, Pass& pass)
   if (NeedsNormals(patching.Method))
   {
     result.Normals = EstimateNormals(geometry, patching.CornerAngle,
-      TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), pass.Execute);
+      TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), pass.Execute,
+      result.Part ? *pass.Settings.Processes : Ranks());
   }
   pass.Finish(Stage::EstimateNormals);
 }
@@ -253,7 +255,7 @@ void LayOutPatches(const PatchOptions& patching, LightGraph&& light, Pass& pass)
     result.Normals = {}; // those of the triangles say more
   }
   pass.Finish(Stage::BuildInnerPatches);
-  LayOutTriangles(result.Graph, result.Cycles, result.Surface);
+  LayOutTriangles(result.Graph, result.Cycles, result.Surface, patching.Part);
   pass.Finish(Stage::LayOutTriangles);
 }
 
@@ -273,9 +275,23 @@ void ImproveIfLight(double accuracy, Pass& pass)
 }
 }
 
+void DivideSurface(Pass& pass)
+{
+  const Ranks* processes = pass.Settings.Processes;
+  const PatchOptions& patching = pass.Settings.Patching;
+  // Triangles are improved across all parts.
+  const bool isLight = patching.Accuracy > 0.0 || patching.OwnAccuracy;
+  if (processes != nullptr && processes->AreSeveral() && !isLight && patching.Shared == nullptr)
+  {
+    pass.Result.Part =
+      DivideCycles(GeometryOf(pass.Result), pass.Result.Surface.Meshes, *processes);
+  }
+}
+
 bool FillCycles(const PatchOptions& options, Pass& pass)
 {
   PatchOptions patching = options;
+  patching.Part = pass.Result.Part ? &*pass.Result.Part : nullptr;
   FindNormals(patching, pass);
   patching.Accuracy = AccuracyOf(options, pass.Result);
   pass.Result.Accuracy = options.KeepContours ? 0.0 : patching.Accuracy;

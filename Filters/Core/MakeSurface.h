@@ -21,6 +21,10 @@ bool DrawGraph(Pass& pass);
 /// stopped.
 bool ConnectContours(Pass& pass);
 
+/// Has FillCycles fill a part of the cycles alone, if several processes make the surface together
+/// (Options::Processes) and it can be divided. REQUIRES: ConnectContours.
+void DivideSurface(Pass& pass);
+
 /// The inside of the patches, and all triangles (section 5). False: stopped.
 bool FillCycles(const PatchOptions& patching, Pass& pass);
 

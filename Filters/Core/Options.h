@@ -4,6 +4,7 @@
 #define OrthoSlicesOptions_h
 
 #include "Core/Base/AxisFrame.h"
+#include "Core/Base/Ranks.h"
 #include "Core/Cells/ChooseJoins.h"
 #include "Core/Correspondence/FindCorrespondences.h"
 #include "Core/Crossings/ReconcileSlices.h"
@@ -81,6 +82,9 @@ struct Options
   /// contours.
   double MinIsolatedContour = 0.0;
   double MinComponent = 0.0;
+  /// Processes that make the surface together, or null: this one alone. All of them have the same
+  /// contours. Each fills a part of the cycles, if the surface can be divided (Reconstruction::Part).
+  const Ranks* Processes = nullptr;
 };
 }
 

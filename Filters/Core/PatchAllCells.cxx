@@ -218,8 +218,8 @@ void CellPatcher::PairLoopsOfSlabs()
 void CellPatcher::LocateCenters()
 {
   std::vector<double>& centralPoints = this->Result.Surface.CentralPoints;
-  centralPoints =
-    LocateCentralPoints(this->Settings.Central, this->Geometry, this->NodeNormals, this->Execute);
+  centralPoints = LocateCentralPoints(this->Settings.Central, this->Geometry, this->NodeNormals,
+    this->Execute, this->Settings.Processes ? *this->Settings.Processes : Ranks());
   LowerDomes(this->Geometry, this->Result.Cells, this->NodeNormals, centralPoints);
   FlattenEnds(this->Geometry, this->Known.Patches, centralPoints);
   this->Finish(Stage::LocateCentralPoints);

@@ -34,7 +34,12 @@ bool ReconstructContours(Pass& pass)
     AddEndSlicesIfAsked(pass);
     return MakeSparseSurface(sparse, pass);
   }
-  return ConnectDense(pass) && FillCycles(pass.Settings.Patching, pass);
+  if (!ConnectDense(pass))
+  {
+    return false;
+  }
+  DivideSurface(pass);
+  return FillCycles(pass.Settings.Patching, pass);
 }
 
 Reconstruction Reconstruct(std::array<Pieces, 3>&& pieces, const Options& options,

@@ -7,6 +7,7 @@
 #include "Core/Base/Box.h"
 #include "Core/Base/Contours.h"
 #include "Core/Base/Polylines.h"
+#include "Core/Base/Ranks.h"
 #include "Core/Cells/UndecidedPlaces.h"
 #include "Core/Crossings/MeasureAgreement.h"
 #include "Core/Crossings/ReconcileSlices.h"
@@ -16,6 +17,7 @@
 #include "Core/Surface/LayOutTriangles.h"
 #include "Core/Surface/MeasureTopology.h"
 
+#include <optional>
 #include <vector>
 
 namespace orthoslices
@@ -79,6 +81,9 @@ struct Reconstruction
   double Accuracy = 0.0;
   /// G with all vertices of contours, if Graph has lost some of them for few triangles; else empty.
   NodeGraph Drawn;
+  /// The cycles whose triangles are in Surface, where several processes have a part each; else it has
+  /// those of all. Everything else is that of the whole.
+  std::optional<Portion> Part;
 
   /// The report: what the slices disagreed on, and what was done about it.
   Reconciliation Reconciled;   ///< its repairs are moved to Repairs

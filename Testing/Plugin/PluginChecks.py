@@ -6,7 +6,11 @@ pvserver. Every check raises AssertionError with a sentence."""
 import math
 import os
 
+import numpy
 from paraview import servermanager, simple
+from paraview.vtk.numpy_interface import dataset_adapter
+from vtkmodules.util.numpy_support import numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkMassProperties
 
 
@@ -36,7 +40,32 @@ def sphere(radius=1.0):
 
 
 def fetch(proxy, port=0):
-    return servermanager.Fetch(proxy, idx=port)
+    """An output of all processes; the pieces of a surface are joined at the points that they have
+    in common."""
+    data = servermanager.Fetch(proxy, idx=port)
+    has_ids = data.IsA("vtkPolyData") and data.GetPointData().GetGlobalIds() is not None
+    return weld(data) if has_ids else data
+
+
+def weld(pieces):
+    """A surface of triangles with one point for each global id."""
+    source = dataset_adapter.WrapDataObject(pieces)
+    ids = numpy.asarray(pieces.GetPointData().GetGlobalIds())
+    _, first, places = numpy.unique(ids, return_index=True, return_inverse=True)
+    surface = dataset_adapter.WrapDataObject(vtkPolyData())
+    surface.Points = source.Points[first]
+    for name in source.PointData.keys():
+        surface.PointData.append(source.PointData[name][first], name)
+    if "Normals" in source.PointData.keys():
+        surface.VTKObject.GetPointData().SetActiveNormals("Normals")
+    triangles = numpy.asarray(source.Polygons).reshape(-1, 4).copy()
+    triangles[:, 1:] = places[triangles[:, 1:]]
+    cells = vtkCellArray()
+    cells.ImportLegacyFormat(numpy_to_vtkIdTypeArray(triangles.ravel(), deep=True))
+    surface.VTKObject.SetPolys(cells)
+    surface.VTKObject.GetCellData().ShallowCopy(pieces.GetCellData())
+    surface.VTKObject.SetFieldData(pieces.GetFieldData())
+    return surface.VTKObject
 
 
 def field_value(data, name):

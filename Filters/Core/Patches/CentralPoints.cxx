@@ -140,17 +140,19 @@ Point3 PolygonCenter::LeastSquares()
 }
 
 std::vector<double> LocateCentralPoints(CentralPointMethod method, const CycleGeometry& geometry,
-  const std::vector<double>& nodeNormals, const Execution& execution)
+  const std::vector<double>& nodeNormals, const Execution& execution, const Ranks& ranks)
 {
   const SpatialGrid& grid = geometry.Grid;
   const NodeGraph& graph = geometry.Graph;
   const CellCycles& cycles = geometry.Cycles;
   std::vector<double> centers(3 * static_cast<std::size_t>(cycles.Count()));
-  execution.For(cycles.Count(),
+  const Portion own = PortionOf(ranks, static_cast<std::size_t>(cycles.Count()),
+    [&](std::size_t cycle) { return cycles.Size(static_cast<Index>(cycle)) + 1.0; });
+  execution.For(own.Last - own.First,
     [&](std::size_t begin, std::size_t end)
     {
       PolygonCenter polygon(graph, nodeNormals);
-      for (std::size_t cycle = begin; cycle < end; ++cycle)
+      for (std::size_t cycle = own.First + begin; cycle < own.First + end; ++cycle)
       {
         const Index c = static_cast<Index>(cycle);
         geometry.GetBoundary(c, polygon.Boundary, polygon.NodePlaces);
@@ -174,6 +176,16 @@ std::vector<double> LocateCentralPoints(CentralPointMethod method, const CycleGe
         }
       }
     });
+  if (ranks.AreSeveral())
+  {
+    const auto first = centers.begin() + static_cast<std::ptrdiff_t>(3 * own.First);
+    const auto last = centers.begin() + static_cast<std::ptrdiff_t>(3 * own.Last);
+    auto next = centers.begin();
+    for (const auto& part : GatherValues(ranks, std::vector<double>(first, last)))
+    {
+      next = std::copy(part.begin(), part.end(), next);
+    }
+  }
   return centers;
 }
 }

@@ -4,6 +4,7 @@
 #define OrthoSlicesCentralPoints_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Base/Ranks.h"
 #include "Core/Graph/CycleGeometry.h"
 
 #include <vector>
@@ -30,9 +31,10 @@ constexpr double CentralPointMargin = 1e-3;
  * cell. LeastSquares measures heights over a plane through the centroid of the arcs, weights the
  * points of the arcs by length, and falls back to the centroid where the polygon is no height
  * function. A loop gets the top of a dome as high as it is wide, at most half the cell's width.
+ * Several processes locate a part of the points each, and exchange them.
  */
 std::vector<double> LocateCentralPoints(CentralPointMethod method, const CycleGeometry& geometry,
-  const std::vector<double>& nodeNormals, const Execution& execution);
+  const std::vector<double>& nodeNormals, const Execution& execution, const Ranks& ranks = Ranks());
 }
 
 #endif

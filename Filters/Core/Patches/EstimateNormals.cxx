@@ -28,8 +28,9 @@ constexpr double WeightOfUnknownTilt = 1e-3;
 class NormalEstimator
 {
 public:
-  NormalEstimator(const CycleGeometry& geometry, double cornerAngle)
+  NormalEstimator(const CycleGeometry& geometry, double cornerAngle, const Ranks& ranks)
     : Geometry(geometry)
+    , Processes(ranks)
     , Code(geometry.Grid)
     , Rings(geometry.Grid, geometry.Crossings, geometry.Nodes, geometry.Graph)
     , CornerAngle(cornerAngle)
@@ -49,6 +50,17 @@ private:
   /// The tangent at a point, of unit length, as floats: as many as there are contour points.
   using Tangent = std::array<float, 2>;
 
+  /// The contours of an axis.
+  struct AxisRings
+  {
+    std::vector<Index> Starts;            ///< one crossing of each
+    std::vector<std::size_t> FirstOfRank; ///< and their number; see DivideWork
+  };
+
+  std::array<AxisRings, 3> FindRings() const;
+  template <typename Value, typename Access>
+  void ExchangeAlong(const AxisRings& rings, bool nodesOnly, Access&& valueAt);
+  void ExchangeTangents(const std::array<AxisRings, 3>& rings);
   void SetRing(Index start, MeasuredRing& ring) const;
   void FindTangents(const MeasuredRing& ring);
   void LookUp(MeasuredRing& ring) const;
@@ -59,6 +71,7 @@ private:
   void WriteLoop(Index loop, double tilt);
 
   const CycleGeometry& Geometry;
+  const Ranks& Processes;
   GridEdgeCode Code;
   ContourRings Rings;
   double CornerAngle;
@@ -68,6 +81,88 @@ private:
   std::array<SliceMetric, 3> Metrics;            ///< of the slices across each axis
   SurfaceNormals Result;
 };
+
+std::array<NormalEstimator::AxisRings, 3> NormalEstimator::FindRings() const
+{
+  std::array<AxisRings, 3> rings;
+  std::array<std::vector<Index>, 3> starts = this->Rings.FindStarts();
+  ArcRing ring;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    AxisRings& ofAxis = rings[axis];
+    ofAxis.Starts = std::move(starts[axis]);
+    std::vector<double> work(ofAxis.Starts.size(), 0.0);
+    for (std::size_t i = 0; i < work.size() && this->Processes.AreSeveral(); ++i)
+    {
+      this->Rings.List(ofAxis.Starts[i], ring);
+      work[i] = static_cast<double>(ring.Points.size());
+    }
+    ofAxis.FirstOfRank =
+      DivideWork(this->Processes.Count, work.size(), [&](std::size_t i) { return work[i]; });
+  }
+  return rings;
+}
+
+/// Gives all processes what each has found along its contours. `valueAt(point, crossing)` is the
+/// place of a value; with `nodesOnly`, there are values at crossings only.
+template <typename Value, typename Access>
+void NormalEstimator::ExchangeAlong(const AxisRings& rings, bool nodesOnly, Access&& valueAt)
+{
+  if (!this->Processes.AreSeveral())
+  {
+    return;
+  }
+  ArcRing ring;
+  const auto forValues = [&](int rank, auto&& visit)
+  {
+    for (std::size_t i = rings.FirstOfRank[rank]; i < rings.FirstOfRank[rank + 1]; ++i)
+    {
+      this->Rings.List(rings.Starts[i], ring);
+      for (std::size_t k = 0; k < ring.Points.size(); ++k)
+      {
+        if (!nodesOnly || ring.Crossing[k] != GridCrossings::None)
+        {
+          visit(valueAt(ring.Points[k], ring.Crossing[k]));
+        }
+      }
+    }
+  };
+  std::vector<Value> own;
+  forValues(this->Processes.Rank, [&](Value* value) { own.push_back(*value); });
+  const auto all = GatherValues(this->Processes, own);
+  for (int rank = 0; rank < this->Processes.Count; ++rank)
+  {
+    auto next = all[rank].begin();
+    forValues(rank, [&](Value* value) { *value = *next++; });
+  }
+}
+
+/// What all processes have to know before the normals at node points: tangents there, and corners.
+void NormalEstimator::ExchangeTangents(const std::array<AxisRings, 3>& rings)
+{
+  if (!this->Processes.AreSeveral())
+  {
+    return;
+  }
+  for (const AxisRings& ofAxis : rings)
+  {
+    this->ExchangeAlong<Tangent>(
+      ofAxis, true, [&](Index, Index crossing) { return &this->CrossingTangents[crossing]; });
+  }
+  std::vector<std::uint8_t>& corners = this->Result.Corners;
+  std::vector<Index> own;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    if (corners[i] != 0)
+    {
+      own.push_back(static_cast<Index>(i));
+    }
+  }
+  for (const std::vector<Index>& marked : GatherValues(this->Processes, own))
+  {
+    std::for_each(marked.begin(), marked.end(), [&](Index point) { corners[point] = 1; });
+  }
+}
 
 /// Reads the points of a contour from a crossing on, and measures its noise and its corners.
 void NormalEstimator::SetRing(Index start, MeasuredRing& ring) const
@@ -210,25 +305,27 @@ void NormalEstimator::WriteLoop(Index loop, double tilt)
 SurfaceNormals NormalEstimator::Run(
   const std::vector<double>& loopTilts, const Execution& execution)
 {
-  const std::array<std::vector<Index>, 3> starts = this->Rings.FindStarts();
+  const std::array<AxisRings, 3> rings = this->FindRings();
   // Contours of one axis have no points in common.
-  const auto forRings = [&](auto&& visit)
+  const auto forRings = [&](const AxisRings& ofAxis, auto&& visit)
   {
-    for (const std::vector<Index>& ofAxis : starts)
-    {
-      execution.For(ofAxis.size(),
-        [&](std::size_t begin, std::size_t end)
+    const std::size_t first = ofAxis.FirstOfRank[this->Processes.Rank];
+    execution.For(ofAxis.FirstOfRank[this->Processes.Rank + 1] - first,
+      [&](std::size_t begin, std::size_t end)
+      {
+        MeasuredRing ring;
+        for (std::size_t i = first + begin; i < first + end; ++i)
         {
-          MeasuredRing ring;
-          for (std::size_t i = begin; i < end; ++i)
-          {
-            this->SetRing(ofAxis[i], ring);
-            visit(ring);
-          }
-        });
-    }
+          this->SetRing(ofAxis.Starts[i], ring);
+          visit(ring);
+        }
+      });
   };
-  forRings([this](const MeasuredRing& ring) { this->FindTangents(ring); });
+  for (const AxisRings& ofAxis : rings)
+  {
+    forRings(ofAxis, [this](const MeasuredRing& ring) { this->FindTangents(ring); });
+  }
+  this->ExchangeTangents(rings);
   execution.For(this->NodeNormals.size(),
     [&](std::size_t begin, std::size_t end)
     {
@@ -238,12 +335,19 @@ SurfaceNormals NormalEstimator::Run(
         std::copy(normal.begin(), normal.end(), this->NodeNormals[node].begin());
       }
     });
-  forRings(
-    [this](MeasuredRing& ring)
-    {
-      this->LookUp(ring);
-      this->WriteNormals(ring);
-    });
+  for (const AxisRings& ofAxis : rings)
+  {
+    forRings(ofAxis,
+      [this](MeasuredRing& ring)
+      {
+        this->LookUp(ring);
+        this->WriteNormals(ring);
+      });
+    using Normal = std::array<float, 3>;
+    this->ExchangeAlong<Normal>(ofAxis, false,
+      [&](Index point, Index)
+      { return reinterpret_cast<Normal*>(this->Result.Normals.data() + 3 * std::size_t(point)); });
+  }
   for (std::size_t loop = 0; loop < this->Geometry.Graph.Loops.size(); ++loop)
   {
     this->WriteLoop(static_cast<Index>(loop), loopTilts.empty() ? 0.0 : loopTilts[loop]);
@@ -268,8 +372,8 @@ SurfaceNormals NormalEstimator::Run(
 }
 
 SurfaceNormals EstimateNormals(const CycleGeometry& geometry, double cornerAngle,
-  const std::vector<double>& loopTilts, const Execution& execution)
+  const std::vector<double>& loopTilts, const Execution& execution, const Ranks& ranks)
 {
-  return NormalEstimator(geometry, cornerAngle).Run(loopTilts, execution);
+  return NormalEstimator(geometry, cornerAngle, ranks).Run(loopTilts, execution);
 }
 }

@@ -4,6 +4,7 @@
 #define OrthoSlicesEstimateNormals_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Base/Ranks.h"
 #include "Core/Graph/CycleGeometry.h"
 
 #include <vector>
@@ -29,9 +30,12 @@ struct SurfaceNormals
  * is fitted or interpolated across corners, where a contour turns by more than `cornerAngle`
  * (radians). Loops have the normals of their contour in its plane, tilted so that their component
  * along the axis of the slice is that of `loopTilts`, from -1 to 1; all 0 if empty.
+ *
+ * Several processes fit the tangents of a part of the contours each, and exchange what they find: all
+ * have all normals.
  */
 SurfaceNormals EstimateNormals(const CycleGeometry& geometry, double cornerAngle,
-  const std::vector<double>& loopTilts, const Execution& execution);
+  const std::vector<double>& loopTilts, const Execution& execution, const Ranks& ranks = Ranks());
 }
 
 #endif

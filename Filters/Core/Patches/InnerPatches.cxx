@@ -4,6 +4,7 @@
 
 #include "Core/Patches/CoonsPatch.h"
 #include "Core/Patches/CreasePatch.h"
+#include "Core/Patches/DivideCycles.h"
 #include "Core/Patches/RemoveTouching.h"
 #include "Core/Patches/SharedPatches.h"
 
@@ -170,15 +171,16 @@ void TurnCorners(Index first, Index size, std::vector<std::array<Index, 3>>& tri
   }
 }
 
-/// Fills the polygons of a block that are no part of a mesh, as far as possible.
-InnerPatches FillBlock(FillPolygon fill, Workshop& shop, const std::vector<Index>& meshOf,
-  std::size_t begin, std::size_t end)
+/// Fills those polygons of a block that are chosen and no part of a mesh, as far as possible.
+InnerPatches FillBlock(FillPolygon fill, Workshop& shop, const ChosenCycles& chosen,
+  const std::vector<Index>& meshOf, std::size_t block)
 {
   InnerPatches result;
-  for (std::size_t i = begin; i < end; ++i)
+  const std::size_t end = std::min(meshOf.size(), (block + 1) * BlockSize);
+  for (std::size_t i = block * BlockSize; i < end; ++i)
   {
     shop.Cycle = static_cast<Index>(i);
-    if (meshOf[i] >= 0)
+    if (meshOf[i] >= 0 || !chosen.Has(i))
     {
       continue;
     }
@@ -335,6 +337,7 @@ InnerPatches BuildInnerPatches(
       meshOf[cycle] = static_cast<Index>(i);
     }
   }
+  const ChosenCycles chosen(tables.Cells, count, options.Part);
   std::vector<InnerPatches> blocks((count + BlockSize - 1) / BlockSize);
   execution.For(blocks.size(),
     [&](std::size_t begin, std::size_t end)
@@ -342,14 +345,14 @@ InnerPatches BuildInnerPatches(
       Workshop shop(tables, options);
       for (std::size_t i = begin; i < end; ++i)
       {
-        blocks[i] =
-          FillBlock(fill, shop, meshOf, i * BlockSize, std::min(count, (i + 1) * BlockSize));
+        blocks[i] = FillBlock(fill, shop, chosen, meshOf, i);
       }
     });
   InnerPatches patches = PutTogether(blocks, execution);
   const CycleGeometry outlines = Workshop::OutlinesOf(tables);
-  RemoveTouching({ outlines, tables.Cells, tables.Normals, tables.CentralPoints, tables.Meshes },
+  RemoveTouching({ outlines, chosen.Cells(), tables.Normals, tables.CentralPoints, tables.Meshes },
     meshOf, execution, patches);
+  chosen.LeaveOutOthers(patches);
   if (options.Shared != nullptr)
   {
     Share(tables, meshOf, patches, *options.Shared);

@@ -4,6 +4,7 @@
 #define OrthoSlicesInnerPatches_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Base/Ranks.h"
 #include "Core/Cells/PatchMesh.h"
 #include "Core/Patches/LightenArcs.h"
 #include "Core/Patches/SmoothPatch.h"
@@ -70,6 +71,8 @@ struct PatchOptions
   /// Patches of structures that were made before: taken over where borders are the same, and added
   /// to.
   SharedPatches* Shared = nullptr;
+  /// The cycles that are filled; or null: all. What they become does not depend on it.
+  const Portion* Part = nullptr;
 };
 
 /**

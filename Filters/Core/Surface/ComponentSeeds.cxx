@@ -17,7 +17,8 @@ using Triangle = std::array<Point3, 3>;
 /// Where the line of a component's seed begins, and along which axis it runs.
 struct SeedLine
 {
-  std::int64_t Triangle = -1; ///< none yet
+  static constexpr std::int64_t Elsewhere = -1;
+  std::int64_t Triangle = Elsewhere; ///< none yet, or one of another process
   int Axis = 0;
   double Extent =
     0.0; ///< of the triangle, twice, as seen along the axis; negative seen from behind
@@ -81,9 +82,64 @@ void Meet(const Triangle& triangle, SeedLine& line)
   line.Nearest = distance > 0.0 ? std::min(line.Nearest, distance) : line.Nearest;
 }
 
+/// Of each component the line of the process whose triangle is the widest, the first of these if
+/// several are as wide: the one that a single process takes.
+void ChooseWidest(const Ranks& ranks, std::vector<SeedLine>& lines)
+{
+  if (!ranks.AreSeveral())
+  {
+    return;
+  }
+  using Values = std::array<double, 5>; // extent, axis, x, y, z of the start
+  std::vector<Values> own;
+  for (const SeedLine& line : lines)
+  {
+    own.push_back(
+      { line.Extent, static_cast<double>(line.Axis), line.Start[0], line.Start[1], line.Start[2] });
+  }
+  const auto all = GatherValues(ranks, own);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    int widest = 0;
+    for (int rank = 1; rank < ranks.Count; ++rank)
+    {
+      widest = std::abs(all[rank][i][0]) > std::abs(all[widest][i][0]) ? rank : widest;
+    }
+    if (widest != ranks.Rank)
+    {
+      const Values& values = all[widest][i];
+      lines[i].Triangle = SeedLine::Elsewhere;
+      lines[i].Extent = values[0];
+      lines[i].Axis = static_cast<int>(values[1]);
+      lines[i].Start = { values[2], values[3], values[4] };
+    }
+  }
+}
+
+/// How far it is to the surface of which each process has a part.
+void ChooseNearest(const Ranks& ranks, std::vector<SeedLine>& lines)
+{
+  if (!ranks.AreSeveral())
+  {
+    return;
+  }
+  std::vector<double> own;
+  for (const SeedLine& line : lines)
+  {
+    own.push_back(line.Nearest);
+  }
+  for (const std::vector<double>& nearest : GatherValues(ranks, own))
+  {
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+      lines[i].Nearest = std::min(lines[i].Nearest, nearest[i]);
+    }
+  }
+}
+
 Point3 SeedOn(const SeedLine& line)
 {
-  if (line.Triangle < 0 || !(line.Nearest < HUGE_VAL))
+  if (line.Extent == 0.0 || !(line.Nearest < HUGE_VAL))
   {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     return { none, none, none };
@@ -96,7 +152,8 @@ Point3 SeedOn(const SeedLine& line)
 
 template <typename Coordinate, typename Id>
 std::vector<Point3> FindSeeds(const Coordinate* points, const Id* triangles,
-  std::int64_t triangleCount, const int* components, const std::vector<ComponentMeasure>& measures)
+  std::int64_t triangleCount, const int* components, const std::vector<ComponentMeasure>& measures,
+  const Ranks& ranks)
 {
   const auto triangleAt = [&](std::int64_t number)
   {
@@ -117,6 +174,7 @@ std::vector<Point3> FindSeeds(const Coordinate* points, const Id* triangles,
       Consider(triangleAt(i), i, lines[components[i]]);
     }
   }
+  ChooseWidest(ranks, lines);
   for (std::size_t i = 0; i < lines.size(); ++i)
   {
     // Normals point away from the region that is enclosed, but into a cavity.
@@ -134,6 +192,7 @@ std::vector<Point3> FindSeeds(const Coordinate* points, const Id* triangles,
       }
     }
   }
+  ChooseNearest(ranks, lines);
   std::vector<Point3> seeds;
   for (const SeedLine& line : lines)
   {
@@ -142,9 +201,9 @@ std::vector<Point3> FindSeeds(const Coordinate* points, const Id* triangles,
   return seeds;
 }
 
-#define ORTHOSLICES_INSTANTIATE(Coordinate, Id) \
-  template std::vector<Point3> FindSeeds(       \
-    const Coordinate*, const Id*, std::int64_t, const int*, const std::vector<ComponentMeasure>&);
+#define ORTHOSLICES_INSTANTIATE(Coordinate, Id)                                                  \
+  template std::vector<Point3> FindSeeds(const Coordinate*, const Id*, std::int64_t, const int*, \
+    const std::vector<ComponentMeasure>&, const Ranks&);
 ORTHOSLICES_INSTANTIATE(float, std::int32_t)
 ORTHOSLICES_INSTANTIATE(float, long long)
 ORTHOSLICES_INSTANTIATE(double, std::int32_t)

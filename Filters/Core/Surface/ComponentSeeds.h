@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesComponentSeeds_h
 #define OrthoSlicesComponentSeeds_h
 
+#include "Core/Base/Ranks.h"
 #include "Core/Base/Types.h"
 #include "Core/Surface/MeasureComponents.h"
 
@@ -18,14 +19,17 @@ namespace orthoslices
  * to where that line meets the surface next: so no other component lies between it and its own.
  * Arguments as for MeasureComponents, whose result gives the sign of the volumes. NaN if there is
  * nothing on that line, as in a component that is open.
+ *
+ * Of triangles that several processes have, each the next ones, the seeds are those of all.
  */
 template <typename Coordinate, typename Id>
 std::vector<Point3> FindSeeds(const Coordinate* points, const Id* triangles,
-  std::int64_t triangleCount, const int* components, const std::vector<ComponentMeasure>& measures);
+  std::int64_t triangleCount, const int* components, const std::vector<ComponentMeasure>& measures,
+  const Ranks& ranks = Ranks());
 
-#define ORTHOSLICES_DECLARE(Coordinate, Id)      \
-  extern template std::vector<Point3> FindSeeds( \
-    const Coordinate*, const Id*, std::int64_t, const int*, const std::vector<ComponentMeasure>&);
+#define ORTHOSLICES_DECLARE(Coordinate, Id)                                                 \
+  extern template std::vector<Point3> FindSeeds(const Coordinate*, const Id*, std::int64_t, \
+    const int*, const std::vector<ComponentMeasure>&, const Ranks&);
 ORTHOSLICES_DECLARE(float, std::int32_t)
 ORTHOSLICES_DECLARE(float, long long)
 ORTHOSLICES_DECLARE(double, std::int32_t)

@@ -9,7 +9,8 @@
 
 namespace orthoslices
 {
-void LayOutTriangles(const NodeGraph& graph, const CellCycles& cycles, Patches& patches)
+void LayOutTriangles(
+  const NodeGraph& graph, const CellCycles& cycles, Patches& patches, const Portion* part)
 {
   patches.Improved = {};
   patches.Offsets.assign(static_cast<std::size_t>(cycles.Count()) + 1, 0);
@@ -45,6 +46,10 @@ void LayOutTriangles(const NodeGraph& graph, const CellCycles& cycles, Patches& 
     const Point3 first = inner.PointAt(inner.PointOffsets[i]);
     std::copy(first.begin(), first.end(),
       patches.CentralPoints.begin() + 3 * static_cast<std::size_t>(inner.Cycle[i]));
+  }
+  for (std::size_t cycle = 0; part != nullptr && cycle + 1 < patches.Offsets.size(); ++cycle)
+  {
+    patches.Offsets[cycle + 1] = part->Has(cycle) ? patches.Offsets[cycle + 1] : 0;
   }
   std::partial_sum(patches.Offsets.begin(), patches.Offsets.end(), patches.Offsets.begin());
 }
@@ -148,7 +153,12 @@ void WriteTriangles(const Patches& patches, const CycleGeometry& geometry,
       {
         if (patches.Offsets[cycle] == patches.Offsets[cycle + 1])
         {
-          continue; // part of another cycle's patch
+          continue; // part of another cycle's patch, or of another process's part
+        }
+        while (
+          mesh != patches.Meshes.end() && static_cast<std::size_t>(mesh->Cycles.front()) < cycle)
+        {
+          ++mesh;
         }
         Id* out = connectivity + 3 * patches.Offsets[cycle];
         if (mesh != patches.Meshes.end() && static_cast<std::size_t>(mesh->Cycles.front()) == cycle)
@@ -156,7 +166,6 @@ void WriteTriangles(const Patches& patches, const CycleGeometry& geometry,
           const std::int64_t others = patches.MeshOffsets[mesh - patches.Meshes.begin()];
           WriteMesh(
             *mesh, geometry.GetBorders(mesh->Cycles), centers, static_cast<Id>(others), out);
-          ++mesh;
           continue;
         }
         geometry.GetBoundary(static_cast<Index>(cycle), border, nodePlaces);

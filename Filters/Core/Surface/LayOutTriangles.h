@@ -49,8 +49,10 @@ struct Patches
   std::int64_t TriangleCount() const { return this->Offsets.back(); }
 };
 
-/// Sets the offsets, and the first points of the meshes and of Inner among the central points.
-void LayOutTriangles(const NodeGraph& graph, const CellCycles& cycles, Patches& patches);
+/// Sets the offsets, and the first points of the meshes and of Inner among the central points. With
+/// `part`, only its cycles have triangles.
+void LayOutTriangles(const NodeGraph& graph, const CellCycles& cycles, Patches& patches,
+  const Portion* part = nullptr);
 
 /// The points after those of G and the one of each cycle: x, y, z of each. See Patches.
 std::vector<double> ListOtherPoints(const Patches& patches);

@@ -55,6 +55,65 @@ struct Sums
   }
 };
 
+/// The first point that a process has of a component.
+struct Start
+{
+  std::int64_t Component;
+  Point3 Point;
+};
+
+/// Gives sums the origins that they have if one process has all triangles.
+void ShareOrigins(const Ranks& ranks, const std::vector<Start>& own, std::vector<Sums>& sums)
+{
+  std::vector<std::uint8_t> known(sums.size(), 0);
+  for (const std::vector<Start>& starts : GatherValues(ranks, own))
+  {
+    for (const Start& start : starts)
+    {
+      const std::size_t component = static_cast<std::size_t>(start.Component);
+      sums[component].Origin = known[component] != 0 ? sums[component].Origin : start.Point;
+      known[component] = 1;
+    }
+  }
+}
+
+/// Adds the sums of all processes.
+void AddUp(const Ranks& ranks, std::vector<Sums>& sums)
+{
+  if (!ranks.AreSeveral())
+  {
+    return;
+  }
+  struct Part
+  {
+    std::int64_t Component;
+    Sums Sum;
+  };
+  std::vector<Part> own;
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    if (sums[i].Triangles > 0)
+    {
+      own.push_back({ static_cast<std::int64_t>(i), sums[i] });
+    }
+    const Point3 origin = sums[i].Origin;
+    sums[i] = Sums();
+    sums[i].Origin = origin;
+  }
+  for (const std::vector<Part>& parts : GatherValues(ranks, own))
+  {
+    for (const Part& part : parts)
+    {
+      Sums& sum = sums[static_cast<std::size_t>(part.Component)];
+      sum.Area += part.Sum.Area;
+      sum.SixfoldVolume += part.Sum.SixfoldVolume;
+      sum.AreaMoment = sum.AreaMoment + part.Sum.AreaMoment;
+      sum.VolumeMoment = sum.VolumeMoment + part.Sum.VolumeMoment;
+      sum.Triangles += part.Sum.Triangles;
+    }
+  }
+}
+
 ComponentMeasure MeasureOf(const Sums& sums)
 {
   ComponentMeasure measure;
@@ -79,7 +138,7 @@ ComponentMeasure MeasureOf(const Sums& sums)
 
 template <typename Coordinate, typename Id>
 std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const Id* triangles,
-  std::int64_t triangleCount, const int* components, int count, bool mayBeOpen)
+  std::int64_t triangleCount, const int* components, int count, bool mayBeOpen, const Ranks& ranks)
 {
   const auto point = [&](Id id)
   {
@@ -88,6 +147,22 @@ std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const 
       static_cast<double>(p[2]) };
   };
   std::vector<Sums> sums(count);
+  const bool hasOrigins = ranks.AreSeveral();
+  if (hasOrigins)
+  {
+    std::vector<Start> starts;
+    std::vector<std::uint8_t> seen(count, 0);
+    for (std::int64_t i = 0; i < triangleCount; ++i)
+    {
+      const int component = components[i];
+      if (component >= 0 && component < count && seen[component] == 0)
+      {
+        seen[component] = 1;
+        starts.push_back({ component, point(triangles[3 * i]) });
+      }
+    }
+    ShareOrigins(ranks, starts, sums);
+  }
   for (std::int64_t i = 0; i < triangleCount;)
   {
     const int component = components[i];
@@ -98,7 +173,7 @@ std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const 
     }
     // Triangles of one component lie side by side: their sums are held in registers.
     Sums sum = sums[component];
-    sum.Origin = sum.Triangles == 0 ? point(triangles[3 * i]) : sum.Origin;
+    sum.Origin = sum.Triangles == 0 && !hasOrigins ? point(triangles[3 * i]) : sum.Origin;
     const std::int64_t first = i;
     for (; i < triangleCount && components[i] == component; ++i)
     {
@@ -111,6 +186,7 @@ std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const 
     }
     sums[component] = sum;
   }
+  AddUp(ranks, sums);
   std::vector<ComponentMeasure> measures(count);
   std::transform(sums.begin(), sums.end(), measures.begin(), MeasureOf);
   return measures;
@@ -118,7 +194,7 @@ std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const 
 
 #define ORTHOSLICES_DEFINE(Coordinate, Id)                  \
   template std::vector<ComponentMeasure> MeasureComponents( \
-    const Coordinate*, const Id*, std::int64_t, const int*, int, bool);
+    const Coordinate*, const Id*, std::int64_t, const int*, int, bool, const Ranks&);
 ORTHOSLICES_DEFINE(float, std::int32_t)
 ORTHOSLICES_DEFINE(float, long long)
 ORTHOSLICES_DEFINE(double, std::int32_t)

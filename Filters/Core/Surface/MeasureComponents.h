@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesMeasureComponents_h
 #define OrthoSlicesMeasureComponents_h
 
+#include "Core/Base/Ranks.h"
 #include "Core/Base/Types.h"
 
 #include <cstdint>
@@ -30,14 +31,19 @@ struct ComponentMeasure
  * and `components` has the component of each triangle; one that is not from 0 to `count` - 1 is
  * passed over. A component is closed if its edges cancel: each is passed as often forwards as
  * backwards. Only if `mayBeOpen` this is looked at.
+ *
+ * Of triangles that several processes have, each the next ones, the measures are those of all: the
+ * sums of all processes are added in their order, which changes last digits. REQUIRES then: not
+ * `mayBeOpen`.
  */
 template <typename Coordinate, typename Id>
 std::vector<ComponentMeasure> MeasureComponents(const Coordinate* points, const Id* triangles,
-  std::int64_t triangleCount, const int* components, int count, bool mayBeOpen = true);
+  std::int64_t triangleCount, const int* components, int count, bool mayBeOpen = true,
+  const Ranks& ranks = Ranks());
 
 #define ORTHOSLICES_DECLARE(Coordinate, Id)                        \
   extern template std::vector<ComponentMeasure> MeasureComponents( \
-    const Coordinate*, const Id*, std::int64_t, const int*, int, bool);
+    const Coordinate*, const Id*, std::int64_t, const int*, int, bool, const Ranks&);
 ORTHOSLICES_DECLARE(float, std::int32_t)
 ORTHOSLICES_DECLARE(float, long long)
 ORTHOSLICES_DECLARE(double, std::int32_t)

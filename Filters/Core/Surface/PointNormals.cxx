@@ -27,22 +27,60 @@ std::array<float, 3> AreaOf(const Coordinate* xyz, const Id* triangle)
     static_cast<float>(ab[0] * ac[1] - ab[1] * ac[0]) };
 }
 
+/// A vector of a triangle at a point that other parts of the surface have, too.
+struct Contribution
+{
+  std::int64_t Point; ///< its id in the whole surface
+  std::array<float, 3> Vector;
+  float Unused; ///< no bytes without a value are sent
+};
+
+/// Hands the other parts what this one has at common points, and sets `sums` there to that of all.
+/// The parts are in the order of their triangles.
+void AddAcross(const SharedPoints& shared, const std::vector<Contribution>& own, float* sums)
+{
+  for (std::size_t point = 0; point < shared.Ids.size(); ++point)
+  {
+    if (shared.IsShared[point] != 0)
+    {
+      std::fill_n(sums + 3 * point, 3, 0.0f);
+    }
+  }
+  for (const auto& ofPart : GatherValues(shared.Processes, own))
+  {
+    for (const Contribution& contribution : ofPart)
+    {
+      const auto id = std::lower_bound(shared.Ids.begin(), shared.Ids.end(), contribution.Point);
+      if (id != shared.Ids.end() && *id == contribution.Point)
+      {
+        float* sum = sums + 3 * (id - shared.Ids.begin());
+        for (int k = 0; k < 3; ++k)
+        {
+          sum[k] += contribution.Vector[k];
+        }
+      }
+    }
+  }
+}
+
 /**
  * Adds up vectors of triangles at their corners, always in the order of the triangles, so that sums
  * are the same for any number of threads: each thread has a part of the points, and passes over
- * blocks of triangles that have none of them.
+ * blocks of triangles that have none of them. Sums at points that are shared with other processes
+ * are those of all.
  */
 template <typename Id>
 class CornerSums
 {
 public:
   CornerSums(const Id* triangles, std::int64_t count, std::size_t points, std::size_t parts,
-    const Execution& execution)
+    const Execution& execution, const SharedPoints* shared)
     : Triangles(triangles)
     , Count(count)
     , Points(points)
     , Parts(parts)
     , Execute(execution)
+    , Shared(shared)
     , Lowest(static_cast<std::size_t>((count + BlockSize - 1) / BlockSize))
     , Highest(this->Lowest.size())
   {
@@ -70,6 +108,10 @@ public:
         const std::size_t last = this->Points * end / this->Parts;
         this->AddTo(static_cast<Id>(first), static_cast<Id>(last), vectorOf, sums);
       });
+    if (this->Shared != nullptr)
+    {
+      AddAcross(*this->Shared, this->ListShared(vectorOf), sums);
+    }
   }
 
 private:
@@ -108,10 +150,35 @@ private:
     }
   }
 
+  /// What the triangles have at points that are shared.
+  template <typename VectorOf>
+  std::vector<Contribution> ListShared(VectorOf&& vectorOf) const
+  {
+    std::vector<Contribution> own;
+    const auto isShared = [&](Id point) { return this->Shared->IsShared[point] != 0; };
+    for (const Id* t = this->Triangles; t != this->Triangles + 3 * this->Count; t += 3)
+    {
+      if (!isShared(t[0]) && !isShared(t[1]) && !isShared(t[2]))
+      {
+        continue;
+      }
+      const std::array<float, 3> vector = vectorOf(t);
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        if (isShared(t[corner]))
+        {
+          own.push_back({ this->Shared->Ids[t[corner]], vector, 0.0f });
+        }
+      }
+    }
+    return own;
+  }
+
   const Id* Triangles;
   std::int64_t Count;
   std::size_t Points, Parts;
   const Execution& Execute;
+  const SharedPoints* Shared;
   std::vector<Id> Lowest, Highest; ///< points of each block
 };
 
@@ -142,15 +209,16 @@ void Normalize(float* n)
 template <typename Coordinate, typename Id>
 void ComputePointNormals(const Coordinate* xyz, std::size_t points, const Id* triangles,
   std::int64_t count, const std::vector<float>& smooth, const Execution& execution, float* normals,
-  std::size_t parts)
+  std::size_t parts, const SharedPoints* shared)
 {
   std::fill_n(normals, 3 * points, 0.0f);
-  const CornerSums<Id> corners(triangles, count, points, parts, execution);
+  const CornerSums<Id> corners(triangles, count, points, parts, execution, shared);
   corners.Add([&](const Id* triangle) { return AreaOf(xyz, triangle); }, normals);
   // The sum of the area vectors at the corners of the triangles around: where these are slivers,
   // those of the next triangles decide.
-  std::vector<float> around(smooth.empty() ? 0 : 3 * points, 0.0f);
-  if (!smooth.empty())
+  const bool anySmooth = shared != nullptr ? shared->AnySmooth : !smooth.empty();
+  std::vector<float> around(anySmooth ? 3 * points : 0, 0.0f);
+  if (anySmooth)
   {
     const auto at = [&](Id point, int k)
     { return normals[3 * static_cast<std::int64_t>(point) + k]; };
@@ -182,7 +250,7 @@ void ComputePointNormals(const Coordinate* xyz, std::size_t points, const Id* tr
 
 #define ORTHOSLICES_INSTANTIATE(Coordinate, Id)                                              \
   template void ComputePointNormals(const Coordinate*, std::size_t, const Id*, std::int64_t, \
-    const std::vector<float>&, const Execution&, float*, std::size_t);
+    const std::vector<float>&, const Execution&, float*, std::size_t, const SharedPoints*);
 ORTHOSLICES_INSTANTIATE(float, std::int32_t)
 ORTHOSLICES_INSTANTIATE(float, long long)
 ORTHOSLICES_INSTANTIATE(double, std::int32_t)

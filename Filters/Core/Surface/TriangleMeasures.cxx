@@ -6,6 +6,7 @@
 #include "Core/Base/Vectors.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace orthoslices
 {
@@ -125,6 +126,32 @@ TriangleQuality MeasureQuality(
     quality.ShareAbove20Degrees = static_cast<double>(sums.Above) / static_cast<double>(count);
     quality.LargestAspectRatio = sums.LargestRatio;
   }
+  return quality;
+}
+
+TriangleQuality JoinQualities(const TriangleQuality& own, std::int64_t count, const Ranks& ranks)
+{
+  if (!ranks.AreSeveral())
+  {
+    return own;
+  }
+  const double triangles = static_cast<double>(count);
+  // The share of `count` is a rounded quotient of whole numbers: this is the number again.
+  const double above = std::round(own.ShareAbove20Degrees * triangles);
+  const std::vector<double> values{ own.SmallestAngle, above, own.LargestAspectRatio, triangles };
+  TriangleQuality quality;
+  double sumAbove = 0.0, sum = 0.0;
+  for (const std::vector<double>& of : GatherValues(ranks, values))
+  {
+    if (of[3] > 0.0)
+    {
+      quality.SmallestAngle = sum > 0.0 ? std::min(quality.SmallestAngle, of[0]) : of[0];
+      quality.LargestAspectRatio = std::max(quality.LargestAspectRatio, of[2]);
+      sumAbove += of[1];
+      sum += of[3];
+    }
+  }
+  quality.ShareAbove20Degrees = sum > 0.0 ? sumAbove / sum : 0.0;
   return quality;
 }
 

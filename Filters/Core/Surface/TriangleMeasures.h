@@ -4,6 +4,7 @@
 #define OrthoSlicesTriangleMeasures_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Base/Ranks.h"
 #include "Core/Base/Types.h"
 
 #include <vector>
@@ -23,6 +24,9 @@ struct TriangleQuality
 template <typename Coordinate, typename Id>
 TriangleQuality MeasureQuality(
   const Coordinate* points, const Id* triangles, std::int64_t count, const Execution& execution);
+
+/// How well the triangles of all processes are shaped, each of which has measured `count` of its own.
+TriangleQuality JoinQualities(const TriangleQuality& own, std::int64_t count, const Ranks& ranks);
 
 /// Curvatures at points; positive mean curvature where the surface is convex.
 struct Curvatures

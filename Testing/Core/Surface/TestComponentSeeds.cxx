@@ -3,6 +3,7 @@
 #include "Core/Surface/ComponentSeeds.h"
 
 #include "Core/Base/Vectors.h"
+#include "Support/ThreadRanks.h"
 
 #include <gtest/gtest.h>
 
@@ -42,12 +43,17 @@ struct Boxes
     }
     ++this->Count;
   }
-  std::vector<Point3> Seeds() const
+  /// Of several processes, each has some of the triangles.
+  std::vector<Point3> Seeds(const Ranks& ranks = Ranks()) const
   {
-    const auto count = static_cast<std::int64_t>(this->Components.size());
-    return FindSeeds(this->Points.data(), this->Triangles.data(), count, this->Components.data(),
+    const Portion own = PortionOf(ranks, this->Components.size(), [](std::size_t) { return 1.0; });
+    const auto count = static_cast<std::int64_t>(own.Last - own.First);
+    const std::int32_t* triangles = this->Triangles.data() + 3 * own.First;
+    const int* components = this->Components.data() + own.First;
+    return FindSeeds(this->Points.data(), triangles, count, components,
       MeasureComponents(
-        this->Points.data(), this->Triangles.data(), count, this->Components.data(), this->Count));
+        this->Points.data(), triangles, count, components, this->Count, false, ranks),
+      ranks);
   }
 
 private:
@@ -79,6 +85,27 @@ TEST(ComponentSeeds, OneInEachRegionBesideItsComponent)
   EXPECT_GT(Depth(seeds[1]), 0.25);
   EXPECT_LT(Depth(seeds[1]), 0.5);
   EXPECT_LT(Depth(seeds[2]), 0.25);
+}
+
+//----------------------------------------------------------------------------
+// Triangles of a box are equally wide: all processes take the first of all.
+TEST(ComponentSeeds, ThoseOfAllWhereProcessesHaveAPartEach)
+{
+  Boxes boxes;
+  boxes.Add(1.0, false);
+  boxes.Add(0.5, true);
+  boxes.Add(0.25, false);
+  const std::vector<Point3> whole = boxes.Seeds();
+  for (const int count : { 2, 3, 7, 50 })
+  {
+    std::vector<std::vector<Point3>> seeds(count);
+    support::ThreadRanks(count).ForAll(
+      [&](const Ranks& ranks) { seeds[ranks.Rank] = boxes.Seeds(ranks); });
+    for (const std::vector<Point3>& ofRank : seeds)
+    {
+      EXPECT_EQ(ofRank, whole) << count << " processes";
+    }
+  }
 }
 
 //----------------------------------------------------------------------------
