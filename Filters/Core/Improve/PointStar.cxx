@@ -16,9 +16,6 @@ constexpr double SliverQuality = 0.01;
 
 /// The cosine between a triangle that was a sliver and the star, at least.
 constexpr double MostTilt = 0.2;
-
-/// The share of the tolerance up to which distances need not be known exactly.
-constexpr double NearEnough = 0.1;
 }
 
 Point3 AreaOf(const TriangleCorners& t) { return Cross(t[1] - t[0], t[2] - t[0]); }
