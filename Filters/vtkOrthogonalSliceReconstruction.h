@@ -726,7 +726,7 @@ public:
   ///@{
   /**
    * With few triangles of good shape: how far contours may be from the surface, in plane spacings
-   * (the least mean spacing of the two axes in each slice). At 0.025, three families of slices get
+   * (the least mean spacing of the two axes in each slice). At 0.05, three families of slices get
    * about a seventh of the triangles at nearly the same accuracy. Contours do not keep their
    * vertices then, but the surface passes within this distance of them. Triangles are as large as
    * that allows; EdgeLength bounds them, in quarters of the mean radius of a patch, and

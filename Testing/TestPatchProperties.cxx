@@ -303,12 +303,12 @@ TEST(PatchProperties, AccuracyMakesFewTrianglesOfGoodShape)
   const PieceSets sets = SlicesOf(solid, 20, 10);
   const double spacing = 2.2 / 20; // at least
   const auto all = Surface(sets, [](Filter*) {});
-  const auto fewer = Surface(sets, [](Filter* f) { f->SetAccuracy(0.025); });
-  const auto few = Surface(sets, [](Filter* f) { f->SetAccuracy(0.1); });
+  const auto fewer = Surface(sets, [](Filter* f) { f->SetAccuracy(0.05); });
+  const auto few = Surface(sets, [](Filter* f) { f->SetAccuracy(0.2); });
   EXPECT_LT(fewer->GetNumberOfCells(), all->GetNumberOfCells() / 6);
   EXPECT_LT(few->GetNumberOfCells(), 0.7 * fewer->GetNumberOfCells());
-  EXPECT_LT(AccuracyOf(fewer, solid).Distance, 0.2 * 0.025 * spacing);
-  EXPECT_LT(AccuracyOf(few, solid).Distance, 0.2 * 0.1 * spacing);
+  EXPECT_LT(AccuracyOf(fewer, solid).Distance, 0.1 * 0.05 * spacing);
+  EXPECT_LT(AccuracyOf(few, solid).Distance, 0.1 * 0.2 * spacing);
   for (const auto& surface : { fewer, few })
   {
     EXPECT_GT(QualityOf(surface, "ShareOfTrianglesAbove20Degrees"), 0.99);
@@ -415,8 +415,8 @@ TEST(PatchProperties, GuaranteesHoldForAllSettings)
     [](Filter* f) { f->SetCornerAngle(20.0); },
     [](Filter* f) { f->SetSmoothing(3.0); },
     [](Filter* f) { f->SetContourTolerance(0.05); },
-    [](Filter* f) { f->SetAccuracy(0.025); },
-    [](Filter* f) { f->SetAccuracy(0.2); },
+    [](Filter* f) { f->SetAccuracy(0.05); },
+    [](Filter* f) { f->SetAccuracy(0.4); },
     [](Filter* f) { f->AutomaticAccuracyOn(); },
     [](Filter* f)
     {

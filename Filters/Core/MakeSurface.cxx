@@ -24,22 +24,23 @@ namespace orthoslices
 namespace
 {
 /// The parts of PatchOptions::Accuracy that arcs with few vertices and better triangles may use up.
-/// What is left is for what they add to each other.
-constexpr double ShareOfArcs = 0.4;
-constexpr double ShareOfTriangles = 0.4;
+/// What is left is for what they add to each other, and for the worst triangles, which may take one
+/// and a half times as much: so contours are within the accuracy (G4).
+constexpr double ShareOfArcs = 0.2;
+constexpr double ShareOfTriangles = 0.2;
 
 /// The accuracy by the error of the surface, both in spacings, where the surface itself is to say:
-/// it is a bound, of which the RMS is about a tenth. Twelve shapes and three of voxels at 16 and 32
+/// it is a bound, of which the RMS is about a twentieth. Twelve shapes and three of voxels at 16 and 32
 /// planes per axis get a twentieth more RMS distance in the mean, most of them from a seventh of
 /// the triangles or less. Rough shapes get less than in proportion, as their errors are in few
 /// places.
-constexpr double AccuracyByError = 4.2;
-constexpr double AccuracyByRoot = 0.33;
-constexpr double LeastAccuracy = 0.002; ///< exact data need no end of triangles
+constexpr double AccuracyByError = 8.4;
+constexpr double AccuracyByRoot = 0.66;
+constexpr double LeastAccuracy = 0.004; ///< exact data need no end of triangles
 
 /// The part of what slices disagree on, RMS, that the surface may be off them in any case. What is
 /// asked for in addition would reproduce noise.
-constexpr double ShareOfDisagreement = 1.0;
+constexpr double ShareOfDisagreement = 2.0;
 
 /// Triangles with a smaller angle are improved, in degrees: somewhat above the 20 that are wanted.
 constexpr double GoodAngle = 22.0;

@@ -186,7 +186,7 @@ const std::vector<Setting>& ListSettings()
         f->SetChordTolerance(0.02);
         f->SetCornerAngle(30.0);
       } },
-    { "Accuracy", [](Filter* f) { f->SetAccuracy(0.025); } },
+    { "Accuracy", [](Filter* f) { f->SetAccuracy(0.05); } },
     { "Weights", [](Filter* f) { f->SetAxisWeights(1.0, 2.0, 0.0); } },
     { "Curvatures", [](Filter* f) { f->ComputeCurvaturesOn(); } },
     { "NoNormals", [](Filter* f) { f->ComputeNormalsOff(); } },

@@ -27,7 +27,7 @@ constexpr double MinLightSide = 0.3;
 /// asked for. As their ends are moved out by the mean height, less than half of it is left beside
 /// any place. With a third less or more, the RMS error of twelve shapes at 32 planes per axis
 /// changes by 1 %, and the number of triangles by 5 %.
-constexpr double HeightByAccuracy = 0.6;
+constexpr double HeightByAccuracy = 0.3;
 
 /// The share of the mean height of the surface over the sides at a point inside a patch by which the
 /// point is moved out. All of it would divide the error evenly if the surface were known; but
