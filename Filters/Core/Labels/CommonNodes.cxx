@@ -3,6 +3,7 @@
 #include "Core/Labels/CommonNodes.h"
 
 #include "Core/Base/Vectors.h"
+#include "Core/Patches/BalancedCurve.h"
 
 #include <algorithm>
 #include <tuple>
@@ -11,13 +12,6 @@ namespace orthoslices
 {
 namespace
 {
-/// The share of the room beside it that a node point may take on its edge when it moves.
-constexpr double ShareOfRoom = 0.25;
-
-/// Added to squared cosines of angles between the surface's normal and an edge of M, so that nodes
-/// on edges that run along the surface do not move far.
-constexpr double LeastSquaredCosine = 0.05;
-
 GridEdge EdgeOf(const CycleGeometry& geometry, Index node)
 {
   return GridEdgeCode(geometry.Grid).Decode(geometry.Crossings.Edge[geometry.Nodes.First[node]]);
@@ -75,7 +69,7 @@ double CommonNodes::RoomBeside(
   const auto after = std::upper_bound(others.begin(), others.end(), here);
   low = before != others.begin() ? std::max(low, *(before - 1)) : low;
   high = after != others.end() ? std::min(high, *after) : high;
-  return ShareOfRoom * std::max(0.0, std::min(here - low, high - here));
+  return std::max(0.0, std::min(here - low, high - here));
 }
 
 double CommonNodes::MoveOf(const CommonNode& node, const std::function<Point3(PieceEnd)>& bulges,
@@ -92,11 +86,9 @@ double CommonNodes::MoveOf(const CommonNode& node, const std::function<Point3(Pi
   {
     sum += Dot(normal, bulges(end));
   }
-  const double cosine = normal[edge.Direction];
-  const double move = 0.25 * sum * cosine / (cosine * cosine + LeastSquaredCosine);
-  const double most =
-    std::min({ this->RoomBeside(geometry.Grid, edge, geometry.Graph.PointAt(number)),
-      tolerance(FirstAxis(edge.Direction)), tolerance(SecondAxis(edge.Direction)) });
-  return std::max(-most, std::min(most, move));
+  return NodeMove{ sum, normal[edge.Direction],
+    this->RoomBeside(geometry.Grid, edge, geometry.Graph.PointAt(number)),
+    std::min(tolerance(FirstAxis(edge.Direction)), tolerance(SecondAxis(edge.Direction))) }
+    .Find();
 }
 }

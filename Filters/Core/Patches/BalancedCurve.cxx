@@ -15,6 +15,13 @@ namespace
 /// by moving their ends, as a share of the side's length: a third of a circle has 0.29.
 constexpr double MaxHeight = 0.25;
 
+/// The share of the room beside it that a node point may take on its edge when it moves.
+constexpr double ShareOfRoom = 0.25;
+
+/// Added to squared cosines of angles between the surface's normal and an edge of M, so that nodes
+/// on edges that run along the surface do not move far.
+constexpr double LeastSquaredCosine = 0.05;
+
 /// How far the end of two sides is to move to the right, so that both leave as much on one side as
 /// on the other; not where one of them replaces a corner.
 double BalanceOf(const LightCurve& light, std::size_t before, std::size_t after)
@@ -64,5 +71,13 @@ BalancedCurve BalanceCurve(const std::vector<Point2>& curve, double tolerance)
   };
   result.Bulges = { bulge(0), bulge(sides - 1) };
   return result;
+}
+
+double NodeMove::Find() const
+{
+  const double move =
+    0.25 * this->Bulges * this->Cosine / (this->Cosine * this->Cosine + LeastSquaredCosine);
+  const double most = std::min(ShareOfRoom * this->Room, this->Most);
+  return std::max(-most, std::min(most, move));
 }
 }

@@ -25,6 +25,18 @@ struct BalancedCurve
 /// sides leave, but where a side replaces a corner. The same curve for either direction but for
 /// rounding.
 BalancedCurve BalanceCurve(const std::vector<Point2>& curve, double tolerance);
+
+/// How far a node point is to move along its edge of M, so that the surface around it lies as much
+/// outside of the sides of its arcs as inside.
+struct NodeMove
+{
+  double Bulges = 0.0; ///< outwards, the sum of those of its four arcs
+  double Cosine = 0.0; ///< of the angle between the surface's normal and the edge
+  double Room = 0.0;   ///< beside it on the edge, on the nearer side; it takes a part of that
+  double Most = 0.0;   ///< in any case
+
+  double Find() const;
+};
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "Core/Base/Vectors.h"
 #include "Core/Graph/EditGraph.h"
 #include "Core/Graph/EmbedArcs.h"
+#include "Core/Patches/BalancedCurve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,37 +15,6 @@ namespace orthoslices
 {
 namespace
 {
-/// The height over a side from which on the curve is no smooth piece, whose sides would be balanced
-/// by moving their ends, as a share of the side's length: a third of a circle has 0.29.
-constexpr double MaxHeight = 0.25;
-
-/// The share of the room beside it that a node point may take on its edge when it moves.
-constexpr double ShareOfRoom = 0.25;
-
-/// Added to squared cosines of angles between the surface's normal and an edge of M, so that nodes
-/// on edges that run along the surface do not move far.
-constexpr double LeastSquaredCosine = 0.05;
-
-/// How far the end of two sides is to move to the right, so that both leave as much on one side as
-/// on the other; not where one of them replaces a corner.
-double BalanceOf(const CurveDeviation& before, double lengthBefore, const CurveDeviation& after,
-  double lengthAfter)
-{
-  const bool isSmooth = std::abs(before.Height) <= MaxHeight * lengthBefore &&
-    std::abs(after.Height) <= MaxHeight * lengthAfter;
-  return isSmooth ? 0.5 * (before.Height + after.Height) : 0.0;
-}
-
-/// The direction to the right of a path at the middle one of three points.
-Point2 RightAt(const Point2& before, const Point2& here, const Point2& after)
-{
-  const Point2 a = here - before, b = after - here;
-  const double first = std::max(Length(a), 1e-300), second = std::max(Length(b), 1e-300);
-  const Point2 along = (1.0 / first) * a + (1.0 / second) * b;
-  const double length = Length(along);
-  return length > 0.0 ? Point2{ along[1] / length, -along[0] / length } : Point2{ 0.0, 0.0 };
-}
-
 /// The vertices of an arc between its nodes, and how far the contour bulges over the sides at its
 /// ends.
 struct ArcDrawing
@@ -136,42 +106,27 @@ void ArcLightener::DrawPart(
   {
     curve.push_back(this->Geometry.InPlane(face, point));
   }
-  const LightCurve light = LightenCurve(curve, this->Tolerance(face.Axis));
-  const std::vector<CurvePlace>& places = light.Places;
-  const std::size_t sides = light.Sides.size();
-  const auto balance = [&](std::size_t before, std::size_t after)
-  {
-    return BalanceOf(light.Sides[before],
-      QuickDistance(places[before].Place, places[before + 1].Place), light.Sides[after],
-      QuickDistance(places[after].Place, places[after + 1].Place));
-  };
+  const BalancedCurve balanced = BalanceCurve(curve, this->Tolerance(face.Axis));
   const SpatialGrid& grid = this->Geometry.Grid;
-  for (std::size_t i = 1; i < sides; ++i)
+  for (std::size_t i = 0; i < balanced.Vertices.size(); ++i)
   {
-    const Point2 p = places[i].Place +
-      balance(i - 1, i) * RightAt(places[i - 1].Place, places[i].Place, places[i + 1].Place);
+    const Point2& p = balanced.Vertices[i];
+    const CurvePlace& place = balanced.Places[i];
     drawing.Vertices.push_back(
       this->Geometry.InSpace(face, { grid.Round(p[0]), grid.Round(p[1]) }));
-    const Point3 from = this->NormalAt(points[places[i].Side]);
-    const Point3 to = this->NormalAt(points[places[i].Side + 1]);
-    drawing.Normals.push_back(Unit(Between(from, to, places[i].Share)));
+    const Point3 from = this->NormalAt(points[place.Side]);
+    const Point3 to = this->NormalAt(points[place.Side + 1]);
+    drawing.Normals.push_back(Unit(Between(from, to, place.Share)));
     drawing.Corners.push_back(0);
   }
-  const auto bulge = [&](std::size_t side)
+  const std::array<Index, 2> ends{ points.front(), points.back() };
+  for (const int end : { 0, 1 })
   {
-    const Point2 right = RightAt(places[side].Place, places[side].Place, places[side + 1].Place);
-    Point3 result{ 0.0, 0.0, 0.0 };
-    result[FirstAxis(face.Axis)] = balance(side, side) * right[0];
-    result[SecondAxis(face.Axis)] = balance(side, side) * right[1];
-    return result;
-  };
-  if (points.front() < this->Geometry.Graph.Nodes)
-  {
-    drawing.Bulges[0] = bulge(0);
-  }
-  if (points.back() < this->Geometry.Graph.Nodes)
-  {
-    drawing.Bulges[1] = bulge(sides - 1);
+    if (ends[end] < this->Geometry.Graph.Nodes)
+    {
+      drawing.Bulges[end][FirstAxis(face.Axis)] = balanced.Bulges[end][0];
+      drawing.Bulges[end][SecondAxis(face.Axis)] = balanced.Bulges[end][1];
+    }
   }
 }
 
@@ -194,7 +149,7 @@ double ArcLightener::RoomBeside(Index node, const GridEdge& edge) const
   const double high = isOnEdge(node + 1) ? nodes.Position[node + 1]
     : edge.Slab < grid.Count(axis)       ? grid.Planes[axis][edge.Slab]
                                          : grid.Highest[axis];
-  return ShareOfRoom * std::max(0.0, std::min(here - low, high - here));
+  return std::max(0.0, std::min(here - low, high - here));
 }
 
 /// How far a node point is to move along its edge, so that the surface around it lies as much
@@ -215,11 +170,10 @@ double ArcLightener::MoveAlong(Index node, const std::vector<ArcDrawing>& arcs) 
     sum += Dot(normal, arcs[crossings.Previous[crossing]].Bulges[1]);
   }
   const GridEdge edge = this->Code.Decode(crossings.Edge[nodes.First[node]]);
-  const double cosine = normal[edge.Direction];
-  const double move = 0.25 * sum * cosine / (cosine * cosine + LeastSquaredCosine);
-  const double most = std::min({ this->RoomBeside(node, edge),
-    this->Tolerance(FirstAxis(edge.Direction)), this->Tolerance(SecondAxis(edge.Direction)) });
-  return std::max(-most, std::min(most, move));
+  return NodeMove{ sum, normal[edge.Direction], this->RoomBeside(node, edge),
+    std::min(
+      this->Tolerance(FirstAxis(edge.Direction)), this->Tolerance(SecondAxis(edge.Direction))) }
+    .Find();
 }
 
 /// Arcs that have to stay as they are, and their node points.
