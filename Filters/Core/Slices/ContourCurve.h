@@ -38,6 +38,9 @@ public:
    */
   void FindCorners(double spacing, double noise, double angle);
   bool IsCorner(Index i) const { return !this->Corners.empty() && this->Corners[i] != 0; }
+  /// From a point to the first one, forwards or backwards, that is at least `reach` away; after a
+  /// third of the points, to the next one.
+  Point2 Reach(Index i, double reach, bool forward) const;
   bool HasCorners() const { return !this->Corners.empty(); }
 
   /// Whether the points are known to lie on a smooth curve. Then few of them do for a cubic.
@@ -62,7 +65,6 @@ private:
   double Distance(Index i, Index j) const;
   Index After(Index i) const { return i + 1 < this->Count() ? i + 1 : 0; }
   Index Before(Index i) const { return i > 0 ? i - 1 : this->Count() - 1; }
-  Point2 Reach(Index i, double reach, bool forward) const;
 
   std::vector<Point2> Points;
   std::vector<double> Lengths;

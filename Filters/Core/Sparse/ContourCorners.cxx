@@ -7,6 +7,7 @@
 #include "Core/Patches/SliceMetric.h"
 #include "Core/Slices/ContourCurve.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace orthoslices
@@ -17,20 +18,7 @@ namespace
 /// as a corner is looked for.
 constexpr double Reach = 0.12;
 
-/// From a point to the first one that is at least `reach` away, of unit length.
-Point2 DirectionFrom(const ContourCurve& curve, Index point, Index step, double reach)
-{
-  const Index count = curve.Count();
-  Point2 way{ 0.0, 0.0 };
-  double length = 0.0;
-  for (Index i = 1; i < count && length < reach; ++i)
-  {
-    const Point2& to = curve[(point + (step > 0 ? i : count - i)) % count];
-    way = { to[0] - curve[point][0], to[1] - curve[point][1] };
-    length = std::hypot(way[0], way[1]);
-  }
-  return length > 0.0 ? Point2{ way[0] / length, way[1] / length } : way;
-}
+Point2 UnitOf(const Point2& way) { return (1.0 / std::max(Length(way), 1e-300)) * way; }
 
 class CornerFinder
 {
@@ -67,8 +55,8 @@ void CornerFinder::AddContour(int axis, const std::vector<Index>& points)
   {
     if (curve.IsCorner(i))
     {
-      const Point2 back = DirectionFrom(curve, i, -1, Reach * spacing);
-      const Point2 on = DirectionFrom(curve, i, 1, Reach * spacing);
+      const Point2 back = UnitOf(curve.Reach(i, Reach * spacing, false));
+      const Point2 on = UnitOf(curve.Reach(i, Reach * spacing, true));
       Point3 tip{ 0.0, 0.0, 0.0 };
       tip[FirstAxis(axis)] = -back[0] - on[0];
       tip[SecondAxis(axis)] = -back[1] - on[1];

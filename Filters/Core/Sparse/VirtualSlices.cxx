@@ -163,10 +163,13 @@ Contours MakeVirtualSlices(
   Contours contours;
   GuideCurves& guides = source.Guides;
   SurfaceMesh mesh = MakeSurfaceMesh(source.Geometry, source.Surface, guides, execution);
-  KeepCorners(FindContourCorners(source.Geometry, source.CornerAngle), mesh);
-  if (source.IsBent && !MakeFair(guides, density, execution, mesh))
+  if (source.IsBent)
   {
-    return contours;
+    KeepCorners(FindContourCorners(source.Geometry, source.CornerAngle), mesh);
+    if (!MakeFair(guides, density, execution, mesh))
+    {
+      return contours;
+    }
   }
   TriangleSurface surface = source.IsBent
     ? SubdivideSurface(mesh)

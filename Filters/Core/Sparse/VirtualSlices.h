@@ -31,11 +31,13 @@ struct FairSource
  * What slices on the planes between the real ones would show, if the object had the topology of the
  * surface that was reconstructed, its contours, and between them the shape that bends least:
  *
- *   MakeSurfaceMesh    the surface, with its contours as curves on it, and the ends that guides
- *   show RemeshSurface      with triangles of about the same size FairSurface        bent as little
- *   as the contours and cells allow GuideSurface       through the guides; then the two before,
- *   twice more SubdivideSurface   four curved triangles for each, within the bounds of the grid
- *   SliceSurface       cut on the planes of ChooseVirtualPlanes, and near rims between slices
+ * - MakeSurfaceMesh: the surface, with its contours as curves on it, and the ends that guides show;
+ * - RemeshSurface: with triangles of about the same size;
+ * - DrawCreases: with edges of the object from corner to corner of the contours;
+ * - FairSurface: bent as little as the contours and cells allow;
+ * - GuideSurface: through the guides; then RemeshSurface and FairSurface, twice more;
+ * - SubdivideSurface: four curved triangles for each, within the bounds of the grid;
+ * - SliceSurface: cut on the planes of ChooseVirtualPlanes, and near rims between slices.
  *
  * Returns these contours alone: closed, with the interior on their left, of Cell -1 and with
  * Virtual set, without vertices that lie within 0.003 of the distance of planes of the line through
