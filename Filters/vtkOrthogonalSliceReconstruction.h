@@ -60,7 +60,8 @@
  *
  * @section Threads Threads
  * Loops run on as many threads as vtkSMPTools would take, and where VTK was built to run loops in
- * one thread by default, on as many as the machine has. vtkSMPTools::Initialize and the environment
+ * one thread by default, on as many as there are processors that the process may run on.
+ * vtkSMPTools::Initialize and the environment
  * (VTK_SMP_MAX_THREADS; VTK_SMP_BACKEND_IN_USE=Sequential) set a limit; within a parallel loop of
  * VTK there is one thread. Progress is that of the work, GetProgressText says what is being done;
  * AbortExecute is heard within stages and leaves empty outputs.
@@ -206,13 +207,17 @@
  * NaN, an empty name) take no part, and a warning counts them. A label whose contours are refused
  * leaves the others as they are; a warning names it. Only if all are refused, this is an error.
  *
+ * @section Processes Several processes
  * In a parallel run each process has its contours, and gets its piece of the surface: the surface
  * of one process that has the contours of all, divided. Pieces have the point data "GlobalPointIds"
  * and the cell data "GlobalCellIds" (vtkIdType): ids in that surface. A point of several pieces is
  * marked in "vtkGhostType" on all but the first of them (DUPLICATEPOINT), as vtkGenerateGlobalIds
  * does it. There are no ghost cells; vtkGhostCellsGenerator makes them from the global ids. Field
  * data are those of the whole surface, on all; the other outputs are whole, on the first process
- * alone. If a process fails or is aborted, all end with an error.
+ * alone. If the filter fails or is aborted on one process, it ends with an error on all others; what
+ * fails before it on one process alone is not heard of, and the others wait. With labels, virtual
+ * slices, Accuracy, curvatures, BorderContours = LEAVE_OPEN_AT_BORDER or contours on planes of no
+ * family each process makes the whole and keeps its part: the same result, without gain in time.
  *
  * @section Guarantees Guarantees
  * G1 to G7 in Core/Reconstruct.h: closed (but for BorderContours = LEAVE_OPEN_AT_BORDER),
@@ -728,7 +733,9 @@ public:
    * With few triangles of good shape: how far contours may be from the surface, in plane spacings
    * (the least mean spacing of the two axes in each slice). At 0.05, three families of slices get
    * about a seventh of the triangles at nearly the same accuracy. Contours do not keep their
-   * vertices then, but the surface passes within this distance of them. Triangles are as large as
+   * vertices then, but the surface passes within this distance of them; where slices contradict
+   * each other, within twice what they disagree on (RMS), if that is more. The field data "Accuracy"
+   * say what was used. Triangles are as large as
    * that allows; EdgeLength bounds them, in quarters of the mean radius of a patch, and
    * ChordTolerance says nothing. For smooth patches; on common borders of labels, triangles of both
    * stay the same. Default 0: all contours keep their vertices. Range 0 to 1.
@@ -868,8 +875,10 @@ public:
 
   ///@{
   /**
-   * The processes that make the surface together; DEFAULT: the global controller. If it has several
-   * processes, and each is asked for its own piece of as many, all have to update the filter.
+   * The processes that make the surface together; DEFAULT: the global controller. Each has to update
+   * the filter, with its own piece of as many pieces as there are processes. Otherwise, or with no
+   * controller, piece 0 is the whole surface of the contours of its process, and all other pieces
+   * are empty.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
