@@ -214,10 +214,11 @@
  * marked in "vtkGhostType" on all but the first of them (DUPLICATEPOINT), as vtkGenerateGlobalIds
  * does it. There are no ghost cells; vtkGhostCellsGenerator makes them from the global ids. Field
  * data are those of the whole surface, on all; the other outputs are whole, on the first process
- * alone. If the filter fails or is aborted on one process, it ends with an error on all others; what
- * fails before it on one process alone is not heard of, and the others wait. With labels, virtual
- * slices, Accuracy, curvatures, BorderContours = LEAVE_OPEN_AT_BORDER or contours on planes of no
- * family each process makes the whole and keeps its part: the same result, without gain in time.
+ * alone. If the filter fails or is aborted on one process, it ends with an error on all others;
+ * what fails before it on one process alone is not heard of, and the others wait. With labels,
+ * virtual slices, Accuracy, curvatures, BorderContours = LEAVE_OPEN_AT_BORDER or contours on planes
+ * of no family each process makes the whole and keeps its part: the same result, without gain in
+ * time.
  *
  * @section Guarantees Guarantees
  * G1 to G7 in Core/Reconstruct.h: closed (but for BorderContours = LEAVE_OPEN_AT_BORDER),
@@ -734,11 +735,11 @@ public:
    * (the least mean spacing of the two axes in each slice). At 0.05, three families of slices get
    * about a seventh of the triangles at nearly the same accuracy. Contours do not keep their
    * vertices then, but the surface passes within this distance of them; where slices contradict
-   * each other, within twice what they disagree on (RMS), if that is more. The field data "Accuracy"
-   * say what was used. Triangles are as large as
-   * that allows; EdgeLength bounds them, in quarters of the mean radius of a patch, and
-   * ChordTolerance says nothing. For smooth patches; on common borders of labels, triangles of both
-   * stay the same. Default 0: all contours keep their vertices. Range 0 to 1.
+   * each other, within twice what they disagree on (RMS), if that is more. The field data
+   * "Accuracy" say what was used. Triangles are as large as that allows; EdgeLength bounds them,
+   * in quarters of the mean radius of a patch, and ChordTolerance says nothing. For smooth
+   * patches; on common borders of labels, triangles of both stay the same. Default 0: all contours
+   * keep their vertices. Range 0 to 1.
    */
   vtkSetClampMacro(Accuracy, double, 0.0, 1.0);
   vtkGetMacro(Accuracy, double);
@@ -772,7 +773,8 @@ public:
    * Angle in degrees by which a contour turns at a corner. Smooth patches keep corners as creases
    * of the surface, where that fits the contours better than a smooth surface, and Smoothing keeps
    * them. Where virtual slices are made, edges of the object run straight from corner to corner of
-   * neighboring slices. Corners that noise may have made are none. Default 60, range 0 to 180 (no corners).
+   * neighbouring slices. Corners that noise may have made are none. Default 60, range 0 to 180 (no
+   * corners).
    */
   vtkSetClampMacro(CornerAngle, double, 0.0, 180.0);
   vtkGetMacro(CornerAngle, double);
@@ -875,10 +877,10 @@ public:
 
   ///@{
   /**
-   * The processes that make the surface together; DEFAULT: the global controller. Each has to update
-   * the filter, with its own piece of as many pieces as there are processes. Otherwise, or with no
-   * controller, piece 0 is the whole surface of the contours of its process, and all other pieces
-   * are empty.
+   * The processes that make the surface together; DEFAULT: the global controller. Each has to
+   * update the filter, with its own piece of as many pieces as there are processes. Otherwise, or
+   * with no controller, piece 0 is the whole surface of the contours of its process, and all other
+   * pieces are empty.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
