@@ -42,13 +42,11 @@ void AddAllPlanes(const VirtualPlanes& planes, const VirtualPlanes& ofVirtual, C
   bool anyVirtual = grid.HasVirtual();
   for (int axis = 0; axis < 3; ++axis)
   {
-    const std::vector<double>& own = grid.Planes[axis];
     for (const double plane : planes[axis])
     {
-      const auto found = std::lower_bound(own.begin(), own.end(), plane);
-      const bool isOwn = found != own.end() && *found == plane;
-      flags[axis].push_back(isOwn
-          ? grid.IsVirtual(axis, static_cast<Index>(found - own.begin()))
+      const Index own = grid.FindPlane(axis, plane);
+      flags[axis].push_back(own >= 0
+          ? grid.IsVirtual(axis, own)
           : std::binary_search(ofVirtual[axis].begin(), ofVirtual[axis].end(), plane));
       anyVirtual |= flags[axis].back() != 0;
     }
@@ -70,21 +68,14 @@ void AddAllPlanes(const VirtualPlanes& planes, const VirtualPlanes& ofVirtual, C
 /// Takes out contours that were inserted for a label where other labels are drawn.
 void LabelRunner::RemoveInserted()
 {
-  std::vector<const Contours*> labels;
-  std::vector<Pass*> passes;
-  for (LabelPass& label : this->Passes)
+  const std::vector<Contours*> labels = this->ListContours();
+  const auto marked =
+    FindContradictedInsertions(this->Thickness(), { labels.begin(), labels.end() }, this->Execute);
+  const std::vector<Index> numbers = this->ListRead();
+  for (std::size_t i = 0; i < labels.size(); ++i)
   {
-    if (label.IsRead)
-    {
-      passes.push_back(&label.Stages);
-      labels.push_back(&label.Stages.Tables.Contours);
-    }
-  }
-  const auto marked = FindContradictedInsertions(this->Thickness(), labels);
-  for (std::size_t i = 0; i < passes.size(); ++i)
-  {
-    Contours& contours = passes[i]->Tables.Contours;
-    std::vector<Repair>& repairs = passes[i]->Inserted;
+    Contours& contours = *labels[i];
+    std::vector<Repair>& repairs = this->Passes[numbers[i]].Stages.Inserted;
     for (Index contour = 0; contour < contours.Count(); ++contour)
     {
       const auto isOfSlice = [&](const Repair& repair)
@@ -196,13 +187,25 @@ bool LabelRunner::KeepReports()
   return true;
 }
 
+/// There is nothing to be said of slices as they were drawn, as they stay so.
+void LabelRunner::ForgetReports()
+{
+  for (LabelPass& label : this->Passes)
+  {
+    label.AsDrawn.reset();
+  }
+}
+
 /**
  * Makes slices of all labels, of which some may be virtual, agree on all labels together. `labels`
- * become what they are then on each slice. False: stopped.
+ * become what they are then on each slice. False: they stay as they are, either because the caller
+ * does not want to go on, see IsStopped, or because the contours of a slice could not be split
+ * where they meet.
  */
 bool LabelRunner::VoteTogether(const VirtualPlanes& ofVirtual, const std::vector<Contours*>& labels)
 {
   const OrderedSets sets(this->Borders.Sets.begin(), this->Borders.Sets.end());
+  // None if a slice could not be split, but also if all places of all slices are outside.
   std::vector<Contours> regions =
     NestRegions(sets, this->Execute, { labels.begin(), labels.end() });
   for (Contours& region : regions)
@@ -225,11 +228,8 @@ bool LabelRunner::VoteTogether(const VirtualPlanes& ofVirtual, const std::vector
     }
     region = ReadAll(pass.Result);
   }
-  if (!regions.empty())
-  {
+  return !regions.empty() &&
     PartRegions({ sets, this->Planes, this->Thickness() }, this->Execute, regions, labels);
-  }
-  return true;
 }
 
 /// Draws the slices of each label as they are after all have been made to agree, so that that
@@ -238,6 +238,7 @@ bool LabelRunner::RedrawEach()
 {
   for (LabelPass& label : this->Passes)
   {
+    label.Stages.Inserted.clear(); // the report of the slices as drawn lists them
     Contours& contours = label.Stages.Tables.Contours;
     contours.Virtual.clear();
     if (!label.IsRead || contours.Count() == 0)
@@ -265,37 +266,33 @@ bool LabelRunner::RedrawEach()
  * Where slices contradict each other, all labels vote together: each place of a slice gets one of
  * the sets of labels that slices show. What contours of lesser labels run along stays common. A
  * slice on which a label is lacking gives way to those across. Where slices agree, nothing is
- * changed.
+ * changed; nor is anything if they cannot be split where contours meet. False: stopped.
  */
 bool LabelRunner::AgreeOnSlices()
 {
   VirtualPlanes lacking;
-  const bool anyInsideOut = std::any_of(this->Passes.begin(), this->Passes.end(),
-    [](const LabelPass& pass) { return pass.Stages.Result.InsideOut; });
   for (LabelPass& pass : this->Passes)
   {
     pass.SetProgress(ProgressOfReading, ProgressOfReading, 0, 1);
   }
-  if (anyInsideOut || !this->DoSlicesContradict(lacking))
+  if (this->IsAnyInsideOut() || !this->DoSlicesContradict(lacking))
   {
     return !this->IsStopped();
   }
-  std::vector<Contours*> labels;
-  for (LabelPass& pass : this->Passes)
-  {
-    if (pass.IsRead)
-    {
-      labels.push_back(&pass.Stages.Tables.Contours);
-    }
-  }
+  const std::vector<Contours*> labels = this->ListContours();
   std::vector<Contours> before;
   for (const Contours* contours : labels)
   {
     before.push_back(*contours);
   }
-  if (!this->KeepReports() || !this->VoteTogether(lacking, labels))
+  if (!this->KeepReports())
   {
     return false;
+  }
+  if (!this->VoteTogether(lacking, labels))
+  {
+    this->ForgetReports();
+    return !this->IsStopped();
   }
   for (std::size_t i = 0; i < labels.size(); ++i)
   {
@@ -321,7 +318,8 @@ bool LabelRunner::IsStopped() const
     [](const LabelPass& pass) { return pass.Stages.Result.Stopped; });
 }
 
-/// Says of the slices what there is to be said of them as they were drawn.
+/// Says of the slices what there is to be said of them as they were drawn, and besides what was
+/// done to them once they agreed.
 void LabelRunner::TakeReports()
 {
   for (LabelPass& pass : this->Passes)
@@ -330,9 +328,9 @@ void LabelRunner::TakeReports()
     {
       Reconstruction& result = pass.Stages.Result;
       pass.AsDrawn->SmallComponents = result.SmallComponents;
-      pass.AsDrawn->Repairs.insert(
-        pass.AsDrawn->Repairs.end(), result.Repairs.begin(), result.Repairs.end());
+      const std::vector<Repair> own = std::move(result.Repairs); // on planes of the result's grid
       TakeReport(*pass.AsDrawn, {}, result);
+      result.Repairs.insert(result.Repairs.end(), own.begin(), own.end());
     }
   }
 }

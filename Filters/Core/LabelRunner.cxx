@@ -117,10 +117,16 @@ double LabelRunner::Thickness() const
   return ThinGap * spacing;
 }
 
-/// Contours of labels get the same vertices where they run along each other.
-void LabelRunner::ShareContours()
+/// Whether contours of any label bound the outside as they are drawn.
+bool LabelRunner::IsAnyInsideOut() const
 {
-  this->RemoveInserted();
+  return std::any_of(this->Passes.begin(), this->Passes.end(),
+    [](const LabelPass& pass) { return pass.Stages.Result.InsideOut; });
+}
+
+/// The contours of the structures that are compared.
+std::vector<Contours*> LabelRunner::ListContours()
+{
   std::vector<Contours*> contours;
   for (LabelPass& pass : this->Passes)
   {
@@ -129,7 +135,14 @@ void LabelRunner::ShareContours()
       contours.push_back(&pass.Stages.Tables.Contours);
     }
   }
-  this->Borders = ShareBorders(this->Thickness(), {}, this->Execute, contours);
+  return contours;
+}
+
+/// Contours of labels get the same vertices where they run along each other.
+void LabelRunner::ShareContours()
+{
+  this->RemoveInserted();
+  this->Borders = ShareBorders(this->Thickness(), {}, this->Execute, this->ListContours());
   this->Junctions = RoundAll(this->Borders.Junctions, this->Settings.Quantum);
   this->BuildGrids();
 }
@@ -175,9 +188,7 @@ void LabelRunner::AddPlanes(const VirtualPlanes& planes)
 /// How dense the slices of all labels are together.
 SliceDensity LabelRunner::Density() const
 {
-  const bool anyInsideOut = std::any_of(this->Passes.begin(), this->Passes.end(),
-    [](const LabelPass& pass) { return pass.Stages.Result.InsideOut; });
-  if (this->Settings.Virtual == VirtualSlices::Off || anyInsideOut)
+  if (this->Settings.Virtual == VirtualSlices::Off || this->IsAnyInsideOut())
   {
     return {};
   }

@@ -73,12 +73,15 @@ public:
 private:
   bool Read();
   bool DoAnyMeet() const;
+  std::vector<Contours*> ListContours();
+  bool IsAnyInsideOut() const;
   void RemoveInserted();
   void ShareContours();
   void BuildGrids();
   bool FindLacking(const LabelPass& label, VirtualPlanes& lacking) const;
   bool DoSlicesContradict(VirtualPlanes& lacking);
   bool KeepReports();
+  void ForgetReports();
   bool VoteTogether(const VirtualPlanes& ofVirtual, const std::vector<Contours*>& labels);
   bool RedrawEach();
   bool AgreeOnSlices();

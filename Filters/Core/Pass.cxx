@@ -91,6 +91,20 @@ void Pass::BuildGrid()
   {
     AddEmptyPlanes(*this->OtherPlanes, this->Tables.Contours, this->Result.Grid);
   }
+  this->NumberInserted();
+}
+
+/// Gives inserted contours the numbers that their planes have in the grid. Those on planes that are
+/// no more are not there either.
+void Pass::NumberInserted()
+{
+  for (Repair& repair : this->Inserted)
+  {
+    repair.Plane = this->Result.Grid.FindPlane(repair.Axis, repair.Where[repair.Axis]);
+  }
+  this->Inserted.erase(std::remove_if(this->Inserted.begin(), this->Inserted.end(),
+                         [](const Repair& repair) { return repair.Plane < 0; }),
+    this->Inserted.end());
 }
 
 void Pass::AddEndSlices()

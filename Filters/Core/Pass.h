@@ -54,6 +54,7 @@ public:
   /// Lists repairs, those of virtual slices in OfVirtual.
   void Report(const std::vector<Repair>& repairs);
 
+  /// The planes of the contours, and those of other structures; where inserted contours are in it.
   void BuildGrid();
 
   /// Planes of other structures, for grids that are built from now on; see AddEmptyPlanes. They
@@ -86,11 +87,13 @@ public:
   /// if the caller does not want to go on.
   Execution Execute;
   StageTables Tables;
-  std::vector<Repair> Inserted;  ///< contours that slices lack
+  std::vector<Repair> Inserted;  ///< contours that slices lack, on planes of the grid
   std::vector<Repair> OfVirtual; ///< repairs of virtual slices, of which the report says nothing
   Reconstruction Result;
 
 private:
+  void NumberInserted();
+
   Box3 Bounds = Everywhere(); ///< of the surface, where slices were added at its ends,
   const std::array<std::vector<double>, 3>* OtherPlanes = nullptr;
   bool OwnsVirtual = false; ///< slices were added by this pass: else another one made the report

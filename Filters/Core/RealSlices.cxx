@@ -10,12 +10,63 @@ namespace orthoslices
 {
 namespace
 {
-/// The number of a plane in a grid that has others besides.
+/// The number of a plane in another grid; -1 if that has not got it.
 Index NumberOf(const SpatialGrid& from, const SpatialGrid& to, int axis, Index plane)
 {
-  const std::vector<double>& planes = to.Planes[axis];
-  return static_cast<Index>(
-    std::lower_bound(planes.begin(), planes.end(), from.Planes[axis][plane]) - planes.begin());
+  return to.FindPlane(axis, from.Planes[axis][plane]);
+}
+
+/// Takes the repairs of the first surface, but for those on planes that the other one has not.
+void TakeRepairs(const Reconstruction& first, Reconstruction& result)
+{
+  result.Repairs.clear();
+  for (Repair repair : first.Repairs)
+  {
+    repair.Plane =
+      repair.Axis < 0 ? -1 : NumberOf(first.Grid, result.Grid, repair.Axis, repair.Plane);
+    if (repair.Axis < 0 || repair.Plane >= 0)
+    {
+      result.Repairs.push_back(repair);
+    }
+  }
+}
+
+/// Takes how contours and slices of the first surface agree, but for planes that the other one has
+/// not.
+void TakeAgreement(const Reconstruction& first, Reconstruction& result)
+{
+  const ContourList& from = first.Members;
+  ContourList& to = result.Members;
+  to = ContourList();
+  result.Agreement.OfContour.clear();
+  for (std::size_t i = 0; i < from.Plane.size(); ++i)
+  {
+    const Index plane = NumberOf(first.Grid, result.Grid, from.Axis[i], from.Plane[i]);
+    if (plane < 0)
+    {
+      continue;
+    }
+    to.Axis.push_back(from.Axis[i]);
+    to.Plane.push_back(plane);
+    to.Cell.push_back(from.Cell[i]);
+    if (!from.Virtual.empty())
+    {
+      to.Virtual.push_back(from.Virtual[i]);
+    }
+    result.Agreement.OfContour.push_back(first.Agreement.OfContour[i]);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (Index plane = 0; plane < first.Grid.Count(axis); ++plane)
+    {
+      const Index number = NumberOf(first.Grid, result.Grid, axis, plane);
+      if (number >= 0)
+      {
+        result.Agreement.OfPlane[axis][number] = first.Agreement.OfPlane[axis][plane];
+        result.Agreement.Shift[axis][number] = first.Agreement.Shift[axis][plane];
+      }
+    }
+  }
 }
 
 /// Lists contours of the first surface that take no part in either.
@@ -26,11 +77,16 @@ void AppendLeftOut(
   IsolatedContours& to = result.Isolated;
   for (const Index i : leftOut)
   {
+    const Index plane = NumberOf(first.Grid, result.Grid, from.Axis[i], from.Plane[i]);
+    if (plane < 0)
+    {
+      continue;
+    }
     to.Points.insert(to.Points.end(), from.Points.begin() + 3 * from.Offsets[i],
       from.Points.begin() + 3 * from.Offsets[i + 1]);
     to.Offsets.push_back(static_cast<Index>(to.Points.size() / 3));
     to.Axis.push_back(from.Axis[i]);
-    to.Plane.push_back(NumberOf(first.Grid, result.Grid, from.Axis[i], from.Plane[i]));
+    to.Plane.push_back(plane);
     to.Source.push_back(from.Source[i]);
     to.LeftOut.push_back(1);
     to.Loop.push_back(IsolatedContours::None);
@@ -79,31 +135,11 @@ void RemoveContours(
 void TakeReport(
   const Reconstruction& first, const std::vector<Index>& leftOut, Reconstruction& result)
 {
-  const auto numberOf = [&](int axis, Index plane)
-  { return NumberOf(first.Grid, result.Grid, axis, plane); };
   result.Reconciled = first.Reconciled;
-  result.Repairs = first.Repairs;
   result.SmallComponents = first.SmallComponents;
-  for (Repair& repair : result.Repairs)
-  {
-    repair.Plane = repair.Axis < 0 ? -1 : numberOf(repair.Axis, repair.Plane);
-  }
-  result.Members = first.Members;
-  for (std::size_t i = 0; i < result.Members.Plane.size(); ++i)
-  {
-    result.Members.Plane[i] = numberOf(result.Members.Axis[i], result.Members.Plane[i]);
-  }
   result.RealDifferences = first.Nodes.Difference;
-  result.Agreement.OfContour = first.Agreement.OfContour;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (Index plane = 0; plane < first.Grid.Count(axis); ++plane)
-    {
-      const Index number = numberOf(axis, plane);
-      result.Agreement.OfPlane[axis][number] = first.Agreement.OfPlane[axis][plane];
-      result.Agreement.Shift[axis][number] = first.Agreement.Shift[axis][plane];
-    }
-  }
+  TakeRepairs(first, result);
+  TakeAgreement(first, result);
   AppendLeftOut(first, leftOut, result);
 }
 
@@ -188,19 +224,22 @@ Contours ReadContours(const Reconstruction& result, bool withReal)
 }
 }
 
+void RemoveOnPlanes(const SpatialGrid& known, Contours& contours)
+{
+  std::vector<std::uint8_t> isKnown;
+  for (Index i = 0; i < contours.Count(); ++i)
+  {
+    isKnown.push_back(known.FindPlane(contours.Axis[i], contours.Coordinate[i]) >= 0 ? 1 : 0);
+  }
+  RemoveMarked(isKnown, contours);
+}
+
 Contours ReadAll(const Reconstruction& result) { return ReadContours(result, true); }
 
 Contours ReadVirtual(const Reconstruction& result, const SpatialGrid& known)
 {
   Contours contours = ReadContours(result, false);
-  std::vector<std::uint8_t> isKnown;
-  for (Index i = 0; i < contours.Count(); ++i)
-  {
-    const std::vector<double>& planes = known.Planes[contours.Axis[i]];
-    isKnown.push_back(
-      std::binary_search(planes.begin(), planes.end(), contours.Coordinate[i]) ? 1 : 0);
-  }
-  RemoveMarked(isKnown, contours);
+  RemoveOnPlanes(known, contours);
   return contours;
 }
 }

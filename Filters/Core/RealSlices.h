@@ -23,10 +23,14 @@ std::vector<Index> FindLeftOut(
 void RemoveContours(
   const std::vector<Index>& leftOut, const std::vector<IsolatedLoop>& parts, Contours& contours);
 
-/// Gives `result`, whose grid has all planes of the first one's and virtual ones besides, the
-/// report of the first one, and lists the contours that were left out there.
+/// Gives `result`, whose grid has virtual planes besides those of the first one, the report of the
+/// first one, and lists the contours that were left out there. What that says of planes that the
+/// grid of `result` has not is left out: planes on which nothing is left once labels agree.
 void TakeReport(
   const Reconstruction& first, const std::vector<Index>& leftOut, Reconstruction& result);
+
+/// Takes out the contours on planes that a grid has.
+void RemoveOnPlanes(const SpatialGrid& known, Contours& contours);
 
 /// The contours of virtual slices as they are in the graph G, but for planes that `known` has.
 Contours ReadVirtual(const Reconstruction& result, const SpatialGrid& known);

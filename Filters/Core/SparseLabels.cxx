@@ -206,10 +206,8 @@ VirtualPlanes LabelRunner::ListVirtualPlanes(const std::vector<LabelPass*>& pass
       const SpatialGrid& grid = pass->Stages.Result.Grid;
       const auto isDrawn = [&](double plane)
       {
-        const std::vector<double>& own = grid.Planes[axis];
-        const auto at = std::lower_bound(own.begin(), own.end(), plane);
-        return at != own.end() && *at == plane &&
-          !grid.IsVirtual(axis, static_cast<Index>(at - own.begin()));
+        const Index own = grid.FindPlane(axis, plane);
+        return own >= 0 && !grid.IsVirtual(axis, own);
       };
       found[axis].erase(
         std::remove_if(found[axis].begin(), found[axis].end(), isDrawn), found[axis].end());
@@ -230,7 +228,7 @@ bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
     slices.push_back(pass->Sparse->ListSlices());
     labels.push_back(&slices.back());
   }
-  if (!this->VoteTogether(this->ListVirtualPlanes(passes), labels))
+  if (!this->VoteTogether(this->ListVirtualPlanes(passes), labels) && this->IsStopped())
   {
     return false;
   }

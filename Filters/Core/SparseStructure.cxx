@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/SparseStructure.h"
 
-#include "Core/Base/EditContours.h"
 #include "Core/MakeSurface.h"
 #include "Core/PredictSlices.h"
 #include "Core/RealSlices.h"
@@ -10,8 +9,6 @@
 #include "Core/Sparse/FieldSlices.h"
 #include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
-
-#include <algorithm>
 
 namespace orthoslices
 {
@@ -29,12 +26,12 @@ bool SparseStructure::Draw()
   }
   Reconstruction& first = this->First.Result;
   this->First.SetShare(ProgressOfStack, ProgressOfBending);
-  Execution execution = this->First.Execute;
-  execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
   if (this->Density.IsOfField())
   {
     return this->DrawFew();
   }
+  Execution execution = this->First.Execute;
+  execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
   const double cornerAngle = this->First.Settings.Patching.CornerAngle;
   const int axis = this->Density.StackAxis();
   const Contours ofStack = axis < 0 ? Contours() : SelectAxis(this->Drawn, axis, true);
@@ -95,15 +92,8 @@ Contours SparseStructure::ListSlices() const
 
 void SparseStructure::TakeVirtual(Contours&& slices)
 {
-  std::vector<std::uint8_t> isKnown;
-  for (Index i = 0; i < slices.Count(); ++i)
-  {
-    const std::vector<double>& planes = this->First.Result.Grid.Planes[slices.Axis[i]];
-    isKnown.push_back(
-      std::binary_search(planes.begin(), planes.end(), slices.Coordinate[i]) ? 1 : 0);
-  }
   this->Virtual = std::move(slices);
-  RemoveMarked(isKnown, this->Virtual);
+  RemoveOnPlanes(this->First.Result.Grid, this->Virtual);
   this->Virtual.Cell.assign(this->Virtual.Axis.size(), -1);
   this->Virtual.Virtual.assign(this->Virtual.Axis.size(), 1);
 }

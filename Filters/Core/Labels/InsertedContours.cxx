@@ -6,6 +6,7 @@
 #include "Core/Labels/SliceMembers.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace orthoslices
 {
@@ -53,7 +54,7 @@ std::vector<Index> Together(const std::vector<Index>& set, Index count)
 }
 
 std::vector<std::vector<std::uint8_t>> FindContradictedInsertions(
-  double thickness, const Structures& structures)
+  double thickness, const Structures& structures, const Execution& execution)
 {
   const Index count = static_cast<Index>(structures.size());
   std::vector<std::vector<std::uint8_t>> marked;
@@ -69,12 +70,19 @@ std::vector<std::vector<std::uint8_t>> FindContradictedInsertions(
     return marked;
   }
   const std::vector<Members> slices = ListSlices(structures);
-  std::vector<StructureSets> sets;
+  std::vector<StructureSets> sets(slices.size());
+  execution.For(slices.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        sets[i] = FindSets(thickness, structures, slices[i]);
+      }
+    });
   StructureSets drawn;
-  for (const Members& slice : slices)
+  for (const StructureSets& ofSlice : sets)
   {
-    sets.push_back(FindSets(thickness, structures, slice));
-    std::copy_if(sets.back().begin(), sets.back().end(), std::inserter(drawn, drawn.end()),
+    std::copy_if(ofSlice.begin(), ofSlice.end(), std::inserter(drawn, drawn.end()),
       [count](const std::vector<Index>& set) { return set.empty() || set.back() < count; });
   }
   for (std::size_t i = 0; i < slices.size(); ++i)

@@ -4,6 +4,7 @@
 #define OrthoSlicesInsertedContours_h
 
 #include "Core/Base/Contours.h"
+#include "Core/Base/Execution.h"
 
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace orthoslices
  * are marked if one is contradicted. `thickness` is that of slivers, as in ShareBorders.
  */
 std::vector<std::vector<std::uint8_t>> FindContradictedInsertions(
-  double thickness, const std::vector<const Contours*>& structures);
+  double thickness, const std::vector<const Contours*>& structures, const Execution& execution);
 }
 
 #endif

@@ -95,6 +95,13 @@ struct SpatialGrid
       std::upper_bound(planes.begin(), planes.end(), coordinate) - planes.begin());
   }
 
+  /// The number of the plane at a coordinate, to the last bit; -1 if there is none.
+  Index FindPlane(int axis, double coordinate) const
+  {
+    const Index plane = this->Slab(axis, coordinate) - 1;
+    return plane >= 0 && this->Planes[axis][plane] == coordinate ? plane : -1;
+  }
+
   /// Moves a coordinate into the closed slab.
   double Clamp(int axis, Index slab, double coordinate) const
   {

@@ -81,14 +81,14 @@ TEST(NestedRegions, PartWithoutOverlapOrGap)
 TEST(InsertedContours, GiveWayToOthers)
 {
   const Contours drawn = Rectangle(0, 2), inserted = Rectangle(1, 3, -1);
-  const auto marked = FindContradictedInsertions(0.0, { &drawn, &inserted });
+  const auto marked = FindContradictedInsertions(0.0, { &drawn, &inserted }, Execution());
   EXPECT_EQ(marked, (std::vector<std::vector<std::uint8_t>>{ { 0 }, { 1 } }));
 }
 
 TEST(InsertedContours, MayBeWhereNothingIs)
 {
   const Contours drawn = Rectangle(0, 2), inserted = Rectangle(2, 3, -1);
-  const auto marked = FindContradictedInsertions(0.0, { &drawn, &inserted });
+  const auto marked = FindContradictedInsertions(0.0, { &drawn, &inserted }, Execution());
   EXPECT_EQ(marked, (std::vector<std::vector<std::uint8_t>>{ { 0 }, { 0 } }));
 }
 
@@ -99,6 +99,6 @@ TEST(InsertedContours, MayBeWithinWhatTheyAreWithinElsewhere)
   AddRectangle(0, 3, 1, 2.0, outer);
   Contours inner = Rectangle(1, 2);
   AddRectangle(1, 2, -1, 2.0, inner);
-  const auto marked = FindContradictedInsertions(0.0, { &outer, &inner });
+  const auto marked = FindContradictedInsertions(0.0, { &outer, &inner }, Execution());
   EXPECT_EQ(marked, (std::vector<std::vector<std::uint8_t>>{ { 0, 0 }, { 0, 0 } }));
 }
