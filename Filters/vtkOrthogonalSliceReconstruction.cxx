@@ -208,9 +208,16 @@ bool vtkOrthogonalSliceReconstruction::MakeWithOthers(
   {
     done =
       group.IsParallel() ? this->MakePieces(inputs, outputs) : this->MakeOutputs(inputs, outputs);
-    const bool aborted = this->GetAbortExecute() != 0;
-    done && !aborted ? group.Finish() : group.Fail(aborted ? "aborted." : "reported an error.");
-    return done;
+    if (this->GetAbortExecute())
+    {
+      throw orthoslices::Stopped(); // too late for a loop to hear of it
+    }
+    if (done)
+    {
+      group.Finish();
+      return true;
+    }
+    group.Fail("reported an error.");
   }
   catch (const orthoslices::Stopped&)
   {
