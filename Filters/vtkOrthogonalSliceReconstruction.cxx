@@ -347,14 +347,14 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   orthoslices::WriteHistogram(result, vtkTable::GetData(outputs, 2));
   vtkPolyData* graph = vtkPolyData::GetData(outputs, 1);
   orthoslices::WriteGraph(
-    result, orthoslices::ExecuteShare(this, 0.0, 0.2), doublePrecision, graph);
+    result, orthoslices::ExecuteLoops(this, 0.0, 0.2), doublePrecision, graph);
   // With labels, the array "Label" is that of the labels.
   const bool ownsLabel = this->UsesLabels() && std::string(this->LabelArray) != "Label";
   orthoslices::ArrayCarrier carrier(
     this->PassCellArrays ? this->ListInputs() : std::vector<vtkDataObject*>(), result,
     ownsLabel ? "Label" : "");
   carrier.AddToGraph(result, graph->GetCellData());
-  carrier.ChooseContours(result, orthoslices::ExecuteShare(this, 0.2, 0.3));
+  carrier.ChooseContours(result, orthoslices::ExecuteLoops(this, 0.2, 0.3));
   // Of a whole surface, all is known here.
   const orthoslices::Ranks ranks = result.Part ? this->Processes->GetRanks() : orthoslices::Ranks();
   const orthoslices::SurfaceArrayOptions arrays{ this->ComputeNormals, this->ComputeCurvatures,
@@ -363,7 +363,7 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   const orthoslices::Box3 openBorder = result.OpenBorder;
   const orthoslices::AxisFrame frame = result.Frame;
   vtkPolyData* surface = vtkPolyData::GetData(outputs, 0);
-  orthoslices::WriteSurface(std::move(result), orthoslices::ExecuteShare(this, 0.3, 0.9),
+  orthoslices::WriteSurface(std::move(result), orthoslices::ExecuteLoops(this, 0.3, 0.9),
     doublePrecision, arrays, reportTolerance, surface);
   carrier.AddToSurface(surface->GetCellData());
   orthoslices::CutAtBorder(openBorder, frame, surface);
