@@ -934,20 +934,20 @@ private:
   void operator=(const vtkOrthogonalSliceReconstruction&) = delete;
 
   // The steps of RequestData; checks that fail have reported an error.
-  bool MakeWithOthers(
-    orthoslices::ProcessGroup& group, vtkInformationVector** inputs, vtkInformationVector* outputs);
-  bool MakePieces(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  bool MakeOutputs(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  bool MakeWithOthers(vtkInformationVector* outputs);
+  bool MakePieces(vtkInformationVector* outputs);
+  bool MakeOutputs(vtkInformationVector* outputs);
   bool CanBeDivided(const orthoslices::SortedSlices& sorted) const;
   void Warn(const std::string& text);
   bool CheckProperties();
-  bool CheckInputs(vtkInformationVector** inputs);
-  orthoslices::SortedSlices SortInputs(vtkInformationVector** inputs) const;
-  bool NeedsDoublePrecision(vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
+  bool CheckInputs(const std::vector<vtkDataObject*>& inputs);
+  orthoslices::SortedSlices SortInputs(const std::vector<vtkDataObject*>& inputs) const;
+  bool NeedsDoublePrecision(
+    const std::vector<vtkDataObject*>& inputs, const orthoslices::SortedSlices& sorted);
   orthoslices::FrameOptions GetFrameOptions() const;
   void GetOptions(orthoslices::Options& options) const;
   orthoslices::ContourLabels ReadLabels(
-    vtkInformationVector** inputs, const orthoslices::SortedSlices& sorted);
+    const std::vector<vtkDataObject*>& inputs, const orthoslices::SortedSlices& sorted);
   bool WriteResult(orthoslices::Reconstruction&& result, const orthoslices::Polylines& others,
     const orthoslices::Options& options, const std::function<vtkInformationVector*()>& outputs,
     std::string& text);
@@ -969,8 +969,8 @@ private:
   std::vector<vtkDataObject*> ListInputs();
 
   vtkMultiProcessController* Controller = nullptr;
-  orthoslices::ProcessGroup* Processes = nullptr;             ///< during a parallel RequestData
-  std::vector<vtkSmartPointer<vtkDataObject>> GatheredInputs; ///< of all ports, then
+  orthoslices::ProcessGroup* Processes = nullptr; ///< during RequestData: this one or several
+  std::vector<vtkSmartPointer<vtkDataObject>> GatheredInputs; ///< of all ports, if several
   std::string LabelArray;
   vtkNew<vtkStringArray> CellArrayNames; ///< see GetCellArrayNames
   double PlaneTolerance = 1e-5;

@@ -1,6 +1,7 @@
-// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors SPDX-License-Identifier:
-// BSD-3-Clause The properties of vtkOrthogonalSliceReconstruction: checked, in the terms of the
-// core, and printed.
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// The properties of vtkOrthogonalSliceReconstruction: checked, in the terms of the core, and
+// printed.
 #include "vtkOrthogonalSliceReconstruction.h"
 
 #include "Core/Frames/SortByPlanes.h"

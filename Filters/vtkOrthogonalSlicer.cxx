@@ -164,10 +164,7 @@ int vtkOrthogonalSlicer::RequestData(
   }
   if (!done || this->GetAbortExecute())
   {
-    for (int port = 0; port < 3; ++port)
-    {
-      vtkPolyData::GetData(outputs, port)->Initialize();
-    }
+    orthoslices::ClearOutputs(outputs);
   }
   return done ? 1 : 0;
 }
@@ -211,7 +208,7 @@ bool vtkOrthogonalSlicer::SliceSurface(vtkPolyData* input, vtkInformationVector*
     }
     RoundPlanes(precision, planes);
     const auto contours = orthoslices::SliceSurface(surface, axis, planes, precision,
-      ExecuteShare(this, 0.3 + 0.7 * axis / 3, 0.3 + 0.7 * (axis + 1) / 3));
+      ExecuteLoop(this, 0.3 + 0.7 * axis / 3, 0.3 + 0.7 * (axis + 1) / 3));
     WriteContours(axis, precision, planes, contours, vtkPolyData::GetData(outputs, axis));
   }
   return true;
@@ -258,7 +255,7 @@ bool vtkOrthogonalSlicer::SliceImage(
     {
       planes.push_back(grid.Axes[axis].Coordinate(sample));
     }
-    const Execution execution = ExecuteShare(this, axis / 3.0, (axis + 1) / 3.0);
+    const Execution execution = ExecuteLoop(this, axis / 3.0, (axis + 1) / 3.0);
     vtkPolyData* output = vtkPolyData::GetData(outputs, axis);
     if (this->EveryLabel)
     {

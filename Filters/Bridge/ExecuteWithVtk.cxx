@@ -29,6 +29,11 @@ namespace
 constexpr double ProgressStep = 0.002;
 constexpr double SecondsBetweenEvents = 0.05;
 
+/// Of what is left of the progress, for the next one of loops of which nobody knows the number. Of
+/// about ten loops, as writing a surface has, the first then has a fifth and the last a fortieth of
+/// the whole, and a tenth is left.
+constexpr double ShareOfLoop = 0.2;
+
 /// Whether somebody has asked VTK to run loops in one thread: by the environment, or because it
 /// does otherwise by default.
 bool IsSequentialByChoice()
@@ -122,7 +127,7 @@ Execution ExecuteWithVtk(vtkAlgorithm* filter)
   return execution;
 }
 
-Execution ExecuteShare(vtkAlgorithm* filter, double firstProgress, double lastProgress)
+Execution ExecuteLoop(vtkAlgorithm* filter, double firstProgress, double lastProgress)
 {
   const Execution execution = ExecuteWithVtk(filter);
   return Watch(execution,
@@ -130,6 +135,28 @@ Execution ExecuteShare(vtkAlgorithm* filter, double firstProgress, double lastPr
     {
       const double share = static_cast<double>(done) / static_cast<double>(count);
       if (!goOn(firstProgress + (lastProgress - firstProgress) * share))
+      {
+        throw Stopped();
+      }
+    });
+}
+
+Execution ExecuteLoops(vtkAlgorithm* filter, double firstProgress, double lastProgress)
+{
+  // All loops of what the caller does: copies of the execution have one state.
+  auto begin = std::make_shared<double>(firstProgress);
+  auto end = std::make_shared<double>(firstProgress);
+  const Execution execution = ExecuteWithVtk(filter);
+  return Watch(execution,
+    [goOn = execution.Continue, begin, end, lastProgress](std::size_t done, std::size_t count)
+    {
+      if (done == 0)
+      {
+        *begin = *end;
+        *end += ShareOfLoop * (lastProgress - *end);
+      }
+      const double share = static_cast<double>(done) / static_cast<double>(count);
+      if (!goOn(*begin + (*end - *begin) * share))
       {
         throw Stopped();
       }

@@ -21,9 +21,13 @@ int NumberOfThreads();
 /// filter's, as are requests to abort. The filter must outlive the execution.
 Execution ExecuteWithVtk(vtkAlgorithm* filter);
 
-/// The same, for loops that are each a part of the progress, from the first value to the last one.
-/// Loops throw Stopped upon a request to abort.
-Execution ExecuteShare(vtkAlgorithm* filter, double firstProgress, double lastProgress);
+/// The same, for one loop, which is the progress from the first value to the last one. Loops throw
+/// Stopped upon a request to abort.
+Execution ExecuteLoop(vtkAlgorithm* filter, double firstProgress, double lastProgress);
+
+/// The same, for any number of loops, one after another: each has the same share of what the ones
+/// before it have left of the progress from the first value to the last one.
+Execution ExecuteLoops(vtkAlgorithm* filter, double firstProgress, double lastProgress);
 
 /// Progress within a share of the whole, for as long as this lives.
 class ShareOfProgress

@@ -5,8 +5,10 @@
 
 #include "Core/Base/Ranks.h"
 
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 class vtkInformation;
 class vtkMultiProcessController;
@@ -22,10 +24,10 @@ struct ProcessFailure : std::runtime_error
 /**
  * The processes of a parallel run in which a filter works, one piece each, on VTK's controller.
  *
- * Every exchange begins with the state of each process. One that fails or is aborted says so in the
- * place of its next exchange, with Fail(); then all others leave their work with ProcessFailure and
- * exchange nothing any more. As all processes pass the same exchanges, and Finish() at the end, none
- * waits for one that has gone.
+ * Every exchange begins with the state of each process, and with whether each has the memory for
+ * what comes. One that fails or is aborted says so in the place of its next exchange, with Fail();
+ * then all others leave their work with ProcessFailure and exchange nothing any more. As all
+ * processes pass the same exchanges, and Finish() at the end, none waits for one that has gone.
  */
 class ProcessGroup
 {
@@ -46,12 +48,18 @@ public:
   void Finish();
 
 private:
+  struct Room;
+
+  void Require(int success);
+  std::unique_ptr<Room> MakeRoom(const std::vector<long long>& sizes);
   std::vector<Ranks::Bytes> Exchange(const Ranks::Bytes& own, bool failed);
   std::vector<Ranks::Bytes> ExchangeBytes(
     const Ranks::Bytes& own, const std::vector<long long>& sizes);
 
   vtkMultiProcessController* Controller = nullptr;
   Ranks Processes;
+  /// What all processes say of an exchange: two numbers of each, then one of each.
+  std::vector<long long> States;
   bool Left = false; ///< nothing is exchanged any more
 };
 }

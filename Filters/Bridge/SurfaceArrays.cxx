@@ -8,6 +8,7 @@
 #include "Core/Surface/PointNormals.h"
 #include "Core/Surface/TriangleMeasures.h"
 
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
@@ -15,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 
@@ -81,9 +83,15 @@ void AddQuality(vtkPolyData* surface, const Execution& execution, const Ranks& r
   add("LargestAspectRatio", quality.LargestAspectRatio);
   vtkNew<vtkIdTypeArray> same;
   same->SetName("NumberOfPointsEqualInFloat");
+  // Of points of several pieces, those of the first one count.
+  auto* ghosts = vtkUnsignedCharArray::FastDownCast(
+    surface->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   VisitTriangles(surface,
     [&](const auto* xyz, const auto*, vtkIdType)
-    { same->InsertNextValue(CountEqualInFloat(xyz, surface->GetNumberOfPoints())); });
+    {
+      same->InsertNextValue(CountEqualInFloat(xyz, surface->GetNumberOfPoints(), execution, ranks,
+        ghosts != nullptr ? ghosts->GetPointer(0) : nullptr));
+    });
   surface->GetFieldData()->AddArray(same);
 }
 }

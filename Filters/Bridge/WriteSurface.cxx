@@ -269,11 +269,10 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   result.Drawn = {};
   Patches& patches = result.Surface;
   const bool isImproved = patches.Improved.Any();
-  const Ranks ranks = result.Part ? *arrays.Processes : Ranks();
   std::optional<PieceMarks> marks;
   if (result.Part)
   {
-    marks.emplace(result, ranks);
+    marks.emplace(result, arrays.Processes);
   }
   GiveBackMemory(result);
   SetTriangles(result, execution, surface);
@@ -307,7 +306,7 @@ void WriteSurface(Reconstruction&& consumed, const Execution& execution, bool do
   const std::vector<std::int64_t> offsets = std::move(patches.Offsets);
   result = Reconstruction();
   FillCellArrays(values, cycles, offsets, execution, surface->GetCellData());
-  AddQuality(surface, execution, ranks);
+  AddQuality(surface, execution, arrays.Processes);
   if (arrays.Curvatures)
   {
     AddCurvatures(surface);

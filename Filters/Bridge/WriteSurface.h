@@ -17,9 +17,9 @@ struct SurfaceArrayOptions
 {
   bool Normals = true;
   bool Curvatures = false;
-  /// Processes of which each has a part of the surface, where Reconstruction::Part says so; or null.
-  /// Then there are no curvatures.
-  const Ranks* Processes = nullptr;
+  /// Those of which each has a part of the surface, which then has no curvatures. One process alone
+  /// where Reconstruction::Part is not set.
+  Ranks Processes;
 };
 
 /**
