@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOrthogonalSlicer.h"
 
+#include "Bridge/CarryFieldData.h"
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
 #include "Bridge/ImageFrame.h"

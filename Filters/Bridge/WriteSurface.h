@@ -19,7 +19,7 @@ struct SurfaceArrayOptions
   bool Curvatures = false;
   /// Those of which each has a part of the surface, which then has no curvatures. One process alone
   /// where Reconstruction::Part is not set.
-  Ranks Processes;
+  Ranks Processes{};
 };
 
 /**
