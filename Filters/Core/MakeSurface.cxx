@@ -99,8 +99,9 @@ bool BuildGraph(Pass& pass)
   result.ArcSources = FindArcSources(contours, result.Crossings);
   result.Members = { contours.Axis, contours.Plane, contours.Cell, contours.Virtual, {}, {} };
   pass.Finish(Stage::MeasureAgreement);
-  ThinArcs(pass.Settings.ContourTolerance * MinMeanSpacing(result.Grid), result.Crossings,
-    result.Nodes, pass.Execute, result.Graph);
+  const double spacing = MinMeanSpacing(result.Grid);
+  ThinArcs({ pass.Settings.ContourTolerance * spacing, pass.Settings.LongestSide * spacing },
+    result.Crossings, result.Nodes, pass.Execute, result.Graph);
   pass.Finish(Stage::ThinArcs);
   pass.Report(
     EmbedArcs({ result.Grid, result.Nodes, result.Crossings, result.Graph }, pass.Execute));

@@ -16,6 +16,7 @@
 #include "Core/Slices/OrientContours.h"
 #include "Core/Sparse/GuideCurves.h"
 
+#include <cmath>
 #include <set>
 
 namespace orthoslices
@@ -73,6 +74,7 @@ struct Options
   EndCaps Ends = EndCaps::Dome;  ///< of one family of slices; others show their ends themselves
   double Smoothing = 0.0;        ///< of contours, in mean plane spacings; see SmoothContours
   double ContourTolerance = 0.0; ///< in mean plane spacings; see ThinArcs
+  double LongestSide = HUGE_VAL; ///< with ContourTolerance, in mean plane spacings
   VirtualSlices Virtual = VirtualSlices::Off;
   double VirtualSpacing = 0.0; ///< with BySpacing, in world units; 0: as with Automatic
   /// Contours on planes of no family, which guide the surface where virtual slices are made; or

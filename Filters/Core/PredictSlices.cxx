@@ -17,6 +17,21 @@ namespace
 /// Of a family of more than two slices these are left out: at a third and two thirds of it.
 constexpr Index FewSlices = 3;
 
+/// Vertices of contours so close to the line through others, in spacings, stay out of the patches
+/// of predictions, which are off by a tenth and more: time would grow with the square of finely
+/// drawn contours. But straight parts keep vertices, as they tell patches how contours tilt.
+constexpr double Tolerance = 0.003;
+constexpr double LongestSide = 0.1;
+
+/// A surface that is compared with slices, of which few triangles would fall short.
+void SetAccuracy(Options& settings)
+{
+  settings.ContourTolerance = std::max(settings.ContourTolerance, Tolerance);
+  settings.LongestSide = LongestSide;
+  settings.Patching.Accuracy = 0.0;
+  settings.Patching.OwnAccuracy = false;
+}
+
 struct SliceName
 {
   int Axis;
@@ -128,6 +143,7 @@ double ComparePredictions(const Contours& drawn, Pass& first, double step, const
     // Half as many samples cost an eighth of the time, and are as good for that.
     const SliceField field(SampleLoops(ListLoops(others, first), 2.0 * step), first.Execute);
     Pass pass(first, Contours(others), part);
+    SetAccuracy(pass.Settings);
     if (!field.IsSolved())
     {
       continue;

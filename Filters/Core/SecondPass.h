@@ -13,12 +13,13 @@
  */
 namespace orthoslices
 {
-/// Progress where slices are few, when these are done: reading, the sketch of the first surface,
-/// leaving slices out, the surface of a stack alone, what is bent and cut. The rest is the surface
-/// of real and virtual slices.
+/// Progress where slices are few, when these are done: reading, the cells of the first surface,
+/// leaving slices out, the sketch of the first surface, the surface of a stack alone, what is bent
+/// and cut. The rest is the surface of real and virtual slices.
 constexpr double ProgressOfSlices = 0.04;
-constexpr double ProgressOfSketch = 0.3;
-constexpr double ProgressOfPredictions = 0.45;
+constexpr double ProgressOfCells = 0.15;
+constexpr double ProgressOfPredictions = 0.3;
+constexpr double ProgressOfSketch = 0.45;
 constexpr double ProgressOfStack = 0.5;
 constexpr double ProgressOfBending = 0.62;
 

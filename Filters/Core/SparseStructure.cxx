@@ -12,24 +12,31 @@
 
 namespace orthoslices
 {
+/// The first surface, as it is cut and bent. False: stopped.
+bool SparseStructure::SketchFirst()
+{
+  this->Centers = this->First.Result.Surface.CentralPoints;
+  this->First.SetShare(ProgressOfPredictions, ProgressOfSketch);
+  return Sketch(this->Density.EdgeLength(), this->First);
+}
+
 bool SparseStructure::Draw()
 {
-  this->First.SetShare(ProgressOfSlices, ProgressOfSketch);
+  this->First.SetShare(ProgressOfSlices, ProgressOfPredictions);
   if (!ConnectContours(this->First))
   {
     return false;
   }
-  this->Centers = this->First.Result.Surface.CentralPoints;
-  if (!Sketch(this->Density.EdgeLength(), this->First))
+  if (this->Density.IsOfField())
+  {
+    return this->DrawFew();
+  }
+  if (!this->SketchFirst())
   {
     return false;
   }
   Reconstruction& first = this->First.Result;
   this->First.SetShare(ProgressOfStack, ProgressOfBending);
-  if (this->Density.IsOfField())
-  {
-    return this->DrawFew();
-  }
   Execution execution = this->First.Execute;
   execution.Continue = [this](double progress) { return this->First.GoOn(progress); };
   const double cornerAngle = this->First.Settings.Patching.CornerAngle;
@@ -45,7 +52,7 @@ bool SparseStructure::Draw()
     return !first.Stopped;
   }
   Pass stack(this->First, Contours(ofStack));
-  stack.SetShare(ProgressOfPredictions, ProgressOfStack);
+  stack.SetShare(ProgressOfSketch, ProgressOfStack);
   if (!ConnectContours(stack) || !Sketch(this->Density.EdgeLength(), stack))
   {
     first.Stopped = true;
@@ -65,6 +72,7 @@ bool SparseStructure::DrawFew()
 {
   Reconstruction& first = this->First.Result;
   this->Known = TopologyOf(first);
+  this->First.SetShare(ProgressOfSketch, ProgressOfBending);
   if (this->FollowsField)
   {
     const std::vector<WorldLoop> loops = ListLoops(this->Drawn, this->First);
@@ -75,6 +83,10 @@ bool SparseStructure::DrawFew()
       this->Virtual = CutField(field, first.Grid, this->Density, this->Planes, this->First.Execute);
       return this->First.GoOn(0.5);
     }
+  }
+  if (!this->SketchFirst())
+  {
+    return false;
   }
   GuideCurves none;
   this->Virtual =
@@ -119,7 +131,10 @@ bool SparseStructure::Connect()
 {
   if (this->Virtual.Count() == 0)
   {
-    this->First.Result.Surface.CentralPoints.swap(this->Centers);
+    if (!this->Centers.empty())
+    {
+      this->First.Result.Surface.CentralPoints.swap(this->Centers);
+    }
     this->First.SetShare(ProgressOfBending, 1.0);
     return true;
   }

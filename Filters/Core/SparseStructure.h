@@ -49,13 +49,14 @@ public:
   Contours Virtual; ///< of the planes, as MakeVirtualSlices draws them
 
 private:
+  bool SketchFirst();
   bool DrawFew();
 
   const SliceDensity& Density;
   const VirtualPlanes& Planes;
   Pass& First;
   Contours Drawn;              ///< as they are before the first pass
-  std::vector<double> Centers; ///< the central points of the first surface before its sketch
+  std::vector<double> Centers; ///< of the first surface, as they are before its sketch, if any
   PriorKnowledge Known;        ///< what the second surface is to come out as
   std::unique_ptr<Pass> Again; ///< of the second surface, if there is any
   std::vector<Index> LeftOut;  ///< contours that take no part in it

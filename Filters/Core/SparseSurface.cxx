@@ -51,13 +51,14 @@ private:
   bool Bend(const Reconstruction& base, GuideCurves&& guides);
   bool SketchWithoutField(Pass& pass) const;
   bool FollowField();
+  bool SketchAndBend();
   bool RunAgain(SecondSurface&& second);
   bool Stop();
 
   const SparseSlices& Sparse;
   Pass& First;
   Contours Drawn;              ///< as they are before the first pass
-  std::vector<double> Centers; ///< the central points of the first surface before its sketch
+  std::vector<double> Centers; ///< of the first surface, as they are before its sketch, if any
 };
 
 bool SparseRunner::Stop()
@@ -66,10 +67,13 @@ bool SparseRunner::Stop()
   return false;
 }
 
-/// Makes the sketch of the first surface the surface that is wanted.
+/// Makes the first surface the one that is wanted.
 bool SparseRunner::FillFirst()
 {
-  this->First.Result.Surface.CentralPoints.swap(this->Centers);
+  if (!this->Centers.empty())
+  {
+    this->First.Result.Surface.CentralPoints.swap(this->Centers);
+  }
   this->First.SetShare(ProgressOfBending, 1.0);
   return FillCycles(this->First.Settings.Patching, this->First);
 }
@@ -83,7 +87,7 @@ bool SparseRunner::BendStack()
     return false;
   }
   Pass stack(this->First, SelectAxis(this->Drawn, axis, true));
-  stack.SetShare(ProgressOfPredictions, ProgressOfStack);
+  stack.SetShare(ProgressOfSketch, ProgressOfStack);
   if (!ConnectContours(stack) || !Sketch(this->Sparse.EdgeLength(), stack))
   {
     return this->Stop();
@@ -247,9 +251,6 @@ bool SparseRunner::SketchWithoutField(Pass& pass) const
   SparseSlices sparse(pass);
   sparse.Field = {};
   sparse.Bending.Coarsen();
-  // It is compared with slices, of which few triangles would fall short.
-  pass.Settings.Patching.Accuracy = 0.0;
-  pass.Settings.Patching.OwnAccuracy = false;
   if (!sparse.Any())
   {
     return ConnectContours(pass) && Sketch(this->Sparse.EdgeLength(), pass);
@@ -266,7 +267,7 @@ bool SparseRunner::SketchWithoutField(Pass& pass) const
 /// slices better, or leaves components out.
 bool SparseRunner::FollowField()
 {
-  constexpr double asGood = 0.95;
+  constexpr double asGood = 0.9;
   // A surface that was bent is as smooth as a field; patches within cells are not.
   const double enough = this->Sparse.Bending.IsSparse() ? 1.05 : 0.75;
   const Pass& first = this->First;
@@ -276,7 +277,7 @@ bool SparseRunner::FollowField()
   }
   const std::vector<WorldLoop> loops = ListLoops(this->Drawn, first);
   const double step = SampleStep(loops, this->Sparse.EdgeLength());
-  this->First.SetShare(ProgressOfSketch, ProgressOfPredictions);
+  this->First.SetShare(ProgressOfCells, ProgressOfPredictions);
   const double patchesByField = ComparePredictions(
     this->Drawn, this->First, step, [this](Pass& pass) { return this->SketchWithoutField(pass); });
   this->First.SetShare(ProgressOfPredictions, ProgressOfBending);
@@ -297,23 +298,29 @@ bool SparseRunner::FollowField()
     this->RunAgain({ added, right.Known(), right, Everywhere(), ListGuiding(first.Settings) });
 }
 
-bool SparseRunner::Run()
+/// Bends what is made of a stack or of all slices. False if nothing comes of that.
+bool SparseRunner::SketchAndBend()
 {
-  this->First.SetShare(ProgressOfSlices, ProgressOfSketch);
-  if (!ConnectContours(this->First))
-  {
-    return false;
-  }
   this->Centers = this->First.Result.Surface.CentralPoints;
+  this->First.SetShare(ProgressOfPredictions, ProgressOfSketch);
   if (!Sketch(this->Sparse.EdgeLength(), this->First))
   {
     return false;
   }
   this->First.SetShare(ProgressOfSketch, ProgressOfBending);
+  return this->BendStack() || (!this->First.Result.Stopped && this->BendAll());
+}
+
+bool SparseRunner::Run()
+{
+  this->First.SetShare(ProgressOfSlices, ProgressOfCells);
+  if (!ConnectContours(this->First))
+  {
+    return false;
+  }
   const Reconstruction& result = this->First.Result;
   const bool isDone = (this->Sparse.Field.IsSparse() && this->FollowField()) ||
-    (!result.Stopped && this->Sparse.Bending.IsSparse() &&
-      (this->BendStack() || (!result.Stopped && this->BendAll())));
+    (!result.Stopped && this->Sparse.Bending.IsSparse() && this->SketchAndBend());
   return !result.Stopped && (isDone || this->FillFirst());
 }
 }

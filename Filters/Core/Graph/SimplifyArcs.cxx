@@ -37,10 +37,29 @@ void MarkKept(const std::vector<Point3>& points, double tolerance, std::vector<s
     }
   }
 }
-void ThinArcs(double tolerance, const GridCrossings& crossings, const NodePoints& nodes,
+
+namespace
+{
+/// Marks vertices in addition, as few as leave no side longer than that.
+void KeepSidesShort(
+  const std::vector<Point3>& points, double longest, std::vector<std::uint8_t>& kept)
+{
+  std::size_t last = 0;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+  {
+    if (!kept[i] && Length(points[i + 1] - points[last]) > longest)
+    {
+      kept[i] = 1;
+    }
+    last = kept[i] ? i : last;
+  }
+}
+}
+
+void ThinArcs(const Thinning& thinning, const GridCrossings& crossings, const NodePoints& nodes,
   const Execution& execution, NodeGraph& graph)
 {
-  if (!(tolerance > 0.0))
+  if (!(thinning.Tolerance > 0.0))
   {
     return;
   }
@@ -64,7 +83,8 @@ void ThinArcs(double tolerance, const GridCrossings& crossings, const NodePoints
           points.push_back(graph.PointAt(graph.FirstPoint(arc) + i));
         }
         points.push_back(graph.PointAt(nodes.NodeOf[crossings.Next[arc]]));
-        MarkKept(points, tolerance, kept);
+        MarkKept(points, thinning.Tolerance, kept);
+        KeepSidesShort(points, thinning.LongestSide, kept);
         std::copy(kept.begin() + 1, kept.end() - 1, isKept.begin() + graph.Offsets[arc]);
       }
     });

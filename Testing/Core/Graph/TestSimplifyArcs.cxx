@@ -16,10 +16,11 @@ using namespace orthoslices::support;
 
 namespace
 {
-NodeGraph Thin(const Stages& stages, double tolerance, const Execution& execution = Execution())
+NodeGraph Thin(
+  const Stages& stages, const Thinning& thinning, const Execution& execution = Execution())
 {
   NodeGraph graph = stages.Graph;
-  ThinArcs(tolerance, stages.Crossings, stages.Nodes, execution, graph);
+  ThinArcs(thinning, stages.Crossings, stages.Nodes, execution, graph);
   return graph;
 }
 
@@ -83,7 +84,7 @@ TEST(ThinArcs, NothingChangesWithoutTolerance)
   const Stages stages = FineSlices(TiltedTorus());
   for (const double tolerance : { 0.0, -1.0, std::nan("") })
   {
-    const NodeGraph same = Thin(stages, tolerance);
+    const NodeGraph same = Thin(stages, { tolerance });
     EXPECT_EQ(same.Points, stages.Graph.Points);
     EXPECT_EQ(same.Offsets, stages.Graph.Offsets);
   }
@@ -96,7 +97,7 @@ TEST(ThinArcs, KeepsTheTolerance)
   Index before = stages.Graph.Count();
   for (const double tolerance : { 1e-4, 1e-3, 1e-2 })
   {
-    const NodeGraph thin = Thin(stages, tolerance);
+    const NodeGraph thin = Thin(stages, { tolerance });
     EXPECT_LE(ExpectThinned(stages, thin), tolerance);
     EXPECT_LT(thin.Count(), before);
     EXPECT_EQ(thin.Points.size(), 3u * thin.Count());
@@ -108,7 +109,7 @@ TEST(ThinArcs, KeepsTheTolerance)
 TEST(ThinArcs, NodePointsStay)
 {
   const Stages stages = FineSlices(LinkedTori());
-  const NodeGraph thin = Thin(stages, 100.0);
+  const NodeGraph thin = Thin(stages, { 100.0 });
   EXPECT_EQ(thin.Nodes, stages.Graph.Nodes);
   EXPECT_EQ(thin.Count(), thin.Nodes); // nothing else is left
   EXPECT_TRUE(std::equal(thin.Points.begin(), thin.Points.end(), stages.Graph.Points.begin()));
@@ -119,12 +120,22 @@ TEST(ThinArcs, VerticesOnOneLineGoAndCornersStay)
 {
   const Stages stages("x=0: -1,-1 0.3,-1 0.6,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1;"
                       "z=0: -1,-1 1,-1 1,1 -1,1");
-  const NodeGraph thin = Thin(stages, 1e-6);
+  const NodeGraph thin = Thin(stages, { 1e-6 });
   EXPECT_EQ(thin.Count(), stages.Graph.Count() - 2);
   EXPECT_EQ(ExpectThinned(stages, thin), 0.0);
   // Farther than the diagonal of a quarter of a square, the corners go, too.
-  EXPECT_EQ(Thin(stages, 0.7).Count(), stages.Graph.Count() - 2);
-  EXPECT_EQ(Thin(stages, 0.71).Count(), thin.Nodes);
+  EXPECT_EQ(Thin(stages, { 0.7 }).Count(), stages.Graph.Count() - 2);
+  EXPECT_EQ(Thin(stages, { 0.71 }).Count(), thin.Nodes);
+}
+
+//----------------------------------------------------------------------------
+TEST(ThinArcs, SidesStayShort)
+{
+  const Stages stages("x=0: -1,-1 0.3,-1 0.6,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1;"
+                      "z=0: -1,-1 1,-1 1,1 -1,1");
+  EXPECT_EQ(Thin(stages, { 1e-6, 0.65 }).Count(), stages.Graph.Count() - 1); // 0.6 stays
+  EXPECT_EQ(Thin(stages, { 1e-6, 0.55 }).Count(), stages.Graph.Count());
+  EXPECT_EQ(Thin(stages, { 0.71, 0.55 }).Count(), stages.Graph.Count());
 }
 
 //----------------------------------------------------------------------------
@@ -134,7 +145,7 @@ TEST(ThinArcs, BothArcsOfAContourWithTwoNodePoints)
   const Stages stages("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1");
   ASSERT_EQ(stages.Nodes.Count(), 2);
   ASSERT_EQ(stages.Crossings.Count(), 4);
-  const NodeGraph thin = Thin(stages, 0.5);
+  const NodeGraph thin = Thin(stages, { 0.5 });
   for (Index arc = 0; arc < 4; ++arc)
   {
     EXPECT_EQ(thin.PointCount(arc), 2);
@@ -148,7 +159,7 @@ TEST(ThinArcs, SameForAnyNumberOfThreads)
   for (std::uint64_t seed = 0; seed < 20; ++seed)
   {
     const Stages stages(RandomContradictoryInput(seed));
-    const NodeGraph one = Thin(stages, 0.02), many = Thin(stages, 0.02, ManyThreads());
+    const NodeGraph one = Thin(stages, { 0.02 }), many = Thin(stages, { 0.02 }, ManyThreads());
     EXPECT_EQ(one.Points, many.Points);
     EXPECT_EQ(one.Offsets, many.Offsets);
     EXPECT_LE(ExpectThinned(stages, one), 0.02 * (1.0 + 1e-12));
