@@ -6,6 +6,10 @@
 # alone, which belongs to Debian's paraview-dev, where ParaView's own want xmlpatterns as well, which
 # Qt 6 has no more. The archive is the same for Qt 5 and Qt 6.
 
+# ParaView 5.13 asks for no pages where it was built with Qt 6, as its own need tools of Qt 5. The
+# plugin has nothing else of Qt.
+set(PARAVIEW_QT_MAJOR_VERSION 5)
+
 set(_help_source "${CMAKE_CURRENT_LIST_DIR}")
 
 # The pages are made together with their archive, below.
