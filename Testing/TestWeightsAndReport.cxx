@@ -450,7 +450,7 @@ TEST(ReportTolerance, LeavesTheMeasuredValuesAlone)
 }
 
 //----------------------------------------------------------------------------
-TEST(Report, GraphIsColoredByTheDisagreementOfSlices)
+TEST(GraphOutput, IsColoredByTheDisagreementOfSlices)
 {
   FilterRun run(ParsePieces(OneDisagreement));
   run.Filter->SetReportTolerance(1.0);
