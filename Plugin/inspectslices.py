@@ -18,6 +18,7 @@ of each slice over its plane, and the worst slice as it was drawn and as the oth
 import math
 
 from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkObject
 
 AXES = "xyz"
 INPUTS = ("XSlices", "YSlices", "ZSlices", "Contours", "Input")
@@ -30,6 +31,9 @@ SERIES = [[0.80, 0.22, 0.18], [0.16, 0.55, 0.25], [0.18, 0.36, 0.72]]
 TEXT = [0.1, 0.1, 0.1]
 BACKGROUND = [1.0, 1.0, 1.0]
 LAYOUT = "Slices"
+# Contours that are closer than this, as a share of the diagonal of the surface, differ by the rounding
+# of their coordinates to float.
+ROUNDING = 1e-6
 COLUMNS = ("SliceAxis", "SlicePlane", "PlaneCoordinate", "NodePoints", "RmsDisagreement",
            "MaxDisagreement", "ShiftX", "ShiftY", "ShiftZ")
 
@@ -49,6 +53,16 @@ def slice_table(result):
     for row in rows:
         row["SliceAxis"], row["SlicePlane"] = int(row["SliceAxis"]), int(row["SlicePlane"])
     return sorted(rows, key=lambda row: -row["RmsDisagreement"])
+
+
+def diagonal_of(result):
+    bounds = servermanager.Fetch(result, idx=0).GetBounds()
+    return math.dist(bounds[0::2], bounds[1::2])
+
+
+def agree(result, rows):
+    """Whether no two contours are farther apart than rounding explains."""
+    return max(row["MaxDisagreement"] for row in rows) <= ROUNDING * diagonal_of(result)
 
 
 def print_table(rows):
@@ -76,7 +90,13 @@ def without_family(result, axis):
     copy = kind(registrationName="WithoutFamily", AxisWeights=weights, **inputs_of(result))
     for name, value in values.items():
         setattr(copy, name, value)
-    copy.UpdatePipeline()
+    # Its messages are those of the reconstruction itself, which has said them.
+    shown = vtkObject.GetGlobalWarningDisplay()
+    vtkObject.SetGlobalWarningDisplay(0)
+    try:
+        copy.UpdatePipeline()
+    finally:
+        vtkObject.SetGlobalWarningDisplay(shown)
     return copy
 
 
@@ -222,12 +242,11 @@ def draw_undecided(view, result, bounds, turned):
 def draw_space(view, result, worst, rows, drawn):
     """The surface, the worst slice, the balls and the open places."""
     surface = servermanager.Fetch(result, idx=0)
-    bounds = surface.GetBounds()
-    diagonal = math.dist(bounds[0::2], bounds[1::2])
+    bounds, diagonal = surface.GetBounds(), diagonal_of(result)
     greatest = max(row["MaxDisagreement"] for row in rows)
     show(result, view, SURFACE, Opacity=0.35)
     draw_undecided(view, result, bounds, surface.GetFieldData().HasArray("FamilyNormals"))
-    if greatest > 0.0:
+    if not agree(result, rows):
         show(tube(drawn, 0.003 * diagonal), view, WORST)
         draw_disagreement(view, result, greatest, diagonal)
     look_at(view, worst["SliceAxis"])
@@ -273,12 +292,19 @@ def draw_chart(view, result, rows):
         display.SeriesLineThickness = ["RmsDisagreement", "3"]
 
 
-def title_of(worst):
-    if worst["RmsDisagreement"] == 0.0:
-        return "The slices agree wherever two of them meet"
-    shift = ", ".join(f"{worst['Shift' + axis]:.2g}" for axis in "XYZ")
-    return (f"Slice {worst['SliceName']} (plane {worst['SlicePlane']}) agrees least: RMS "
-            f"{worst['RmsDisagreement']:.2g}\nIt would fit best if it were moved by ({shift})")
+def title_of(result, rows):
+    worst = rows[0]
+    lines = ["The slices agree wherever two of them meet"]
+    if not agree(result, rows):
+        shift = ", ".join(f"{worst['Shift' + axis]:.2g}" for axis in "XYZ")
+        lines = [f"Slice {worst['SliceName']} (plane {worst['SlicePlane']}) agrees least: RMS "
+                 f"{worst['RmsDisagreement']:.2g}", f"It would fit best if it were moved by ({shift})"]
+    open_places = servermanager.Fetch(result, idx=5)
+    if open_places.GetNumberOfRows() > 0:
+        slice_to_add = open_places.GetValueByName(0, "PlaneName").ToString()
+        lines.append("Green: what the slices leave open"
+                     + (f"; a slice at {slice_to_add} would tell most" if slice_to_add else ""))
+    return "\n".join(lines)
 
 
 # --------------------------------------------------------------------------------------------------
@@ -289,19 +315,20 @@ def find_reconstruction():
     def is_one(proxy):
         return proxy is not None and proxy.SMProxy.GetXMLName() in FILTERS
 
+    all_sources = list(simple.GetSources().values())
     source = simple.GetActiveSource()
-    while source is not None:
+    while source is not None and source in all_sources:
         if is_one(source):
             return source
-        input_of = getattr(source, "Input", None)
-        source = getattr(input_of, "Proxy", input_of) if hasattr(input_of, "SMProxy") else None
-        source = servermanager._getPyProxy(source.SMProxy) if source is not None else None
-    found = [proxy for proxy in simple.GetSources().values() if is_one(proxy)]
+        origin = getattr(source, "Input", None)
+        source = servermanager._getPyProxy(origin.SMProxy) if hasattr(origin, "SMProxy") else None
+    found = [proxy for proxy in all_sources if is_one(proxy)]
     return found[-1] if found else None
 
 
-def inspect(result=None):
-    """Opens the layout for a reconstruction; without one, for that of the pipeline. The layout."""
+def inspect(result=None, listed=8):
+    """Opens the layout for a reconstruction, or without one for that of the pipeline, and prints so many
+    of the slices that agree least. The layout."""
     result = result or find_reconstruction()
     if result is None:
         raise RuntimeError("There is no Orthogonal or Parallel Slice Reconstruction to inspect: "
@@ -310,7 +337,7 @@ def inspect(result=None):
     rows = slice_table(result)
     if not rows:
         raise RuntimeError("The reconstruction has no slices: see its messages.")
-    print_table(rows[:8])
+    print_table(rows[:listed])
     worst = rows[0]
     sources = list(inputs_of(result).values())
     normal = normal_of(result, worst["SliceAxis"])
@@ -330,8 +357,8 @@ def compose(result, rows, normal, drawn, expected):
     draw_space(space, result, worst, rows, drawn)
     draw_chart(chart, result, rows)
     draw_plane(plane, worst, normal, drawn, expected)
-    write_text(space, title_of(worst), 16)
-    write_text(plane, "this slice as drawn (blue) and as the others have it (orange)", 12)
+    write_text(space, title_of(result, rows), 12)
+    write_text(plane, "blue: this slice as drawn\norange: as the others have it", 12)
     for view in (space, chart, plane):
         if layout.GetViewLocation(view) >= 0:
             layout.RemoveView(view)
@@ -340,8 +367,15 @@ def compose(result, rows, normal, drawn, expected):
     layout.AssignView(2, chart)
     layout.SplitVertical(2, 0.4)
     layout.AssignView(6, plane)
-    for view, zoom in ((space, 1.25), (plane, 1.15)):
-        simple.ResetCamera(view)
-        view.GetActiveCamera().Zoom(zoom)
+    frame(layout)
     simple.SetActiveView(space)
     return layout
+
+
+def frame(layout):
+    """Has both render views show all that is in them; once more after the layout has another size."""
+    for cell, zoom in ((1, 1.25), (6, 1.15)):
+        view = layout.GetView(cell)
+        view = servermanager._getPyProxy(view)
+        simple.ResetCamera(view)
+        view.GetActiveCamera().Zoom(zoom)

@@ -33,6 +33,7 @@ FIGURES = {
     ],
 }
 
+WIDTH = 680  # of pictures: what the help window has room for when it opens
 STYLE = ("body { font-family: sans-serif; margin: 1em; } h1 { font-size: x-large; } "
          "h2 { font-size: large; } td, th { padding: 4px; vertical-align: top; text-align: left; }")
 
@@ -95,7 +96,7 @@ def page_of(proxy):
     """What the filter does, what goes in and comes out, and each property of its panel."""
     body = [as_html(documentation(proxy))]
     for picture, caption in FIGURES.get(proxy.get("name"), []):
-        body.append(f'<p><img src="{picture}"/><br/><i>{html.escape(caption)}</i></p>\n')
+        body.append(f'<p><img src="{picture}" width="{WIDTH}"/><br/><i>{html.escape(caption)}</i></p>\n')
     inputs = [element for element in proxy.findall("InputProperty")
               if element.get("panel_visibility") != "never"]
     body.append("<h2>Inputs</h2>\n" + table(map(property_row, inputs)))

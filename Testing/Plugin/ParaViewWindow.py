@@ -78,17 +78,19 @@ class Window:
         self.size = size
         self.log = ""
 
-    def play(self, events, names=(), timeout=120):
-        """The pictures `names` by name. RuntimeError with what ParaView printed if a step fails."""
+    def play(self, events, names=(), code=None, timeout=120):
+        """The pictures `names` by name. `code` has the Python code of more macros by their names.
+        RuntimeError with what ParaView printed if a step fails."""
         with tempfile.TemporaryDirectory() as scratch:
             scratch = pathlib.Path(scratch)
             display = self.start_display(scratch)
             try:
-                self.run(events, names, scratch, display[1], timeout)
+                self.write_macros(scratch / "macros", scratch, names, code or {})
+                self.run(events, scratch, display[1], timeout)
             finally:
                 display[0].terminate()
                 display[0].wait()
-            return {name: read_framebuffer(scratch / f"{name}.raw") for name in names}
+            return {name: crop(read_framebuffer(scratch / f"{name}.raw")) for name in names}
 
     def start_display(self, scratch):
         """Xvfb on the first free display; it keeps its picture in a file."""
@@ -102,21 +104,24 @@ class Window:
         with os.fdopen(reading) as pipe:
             return process, pipe.readline().strip()
 
-    def run(self, events, names, scratch, display, timeout):
+    def write_macros(self, folder, scratch, names, code):
+        folder.mkdir()
+        for name in names:
+            (folder / f"Picture {name}.py").write_text(MACRO.format(
+                framebuffer=str(scratch / "Xvfb_screen0"), raw=str(scratch / f"{name}.raw")))
+        for name, text in code.items():
+            (folder / f"{name}.py").write_text(text)
+
+    def run(self, events, scratch, display, timeout):
         settings = scratch / "home" / ".config" / "ParaView"
         settings.mkdir(parents=True)
         text = SETTINGS.format(width=self.size[0], height=self.size[1])
         for version in ("5.11.0", "5.13.2"):
             (settings / f"ParaView{version}.ini").write_text(text)
-        macros = scratch / "macros"
-        macros.mkdir()
-        for name in names:
-            (macros / f"Picture {name}.py").write_text(MACRO.format(
-                framebuffer=str(scratch / "Xvfb_screen0"), raw=str(scratch / f"{name}.raw")))
         script = scratch / "script.xml"
         script.write_text('<?xml version="1.0" ?>\n<pqevents>\n' + "\n".join(events) + "\n</pqevents>\n")
         environment = dict(os.environ, HOME=str(scratch / "home"), DISPLAY=f":{display}",
-                           QT_QPA_PLATFORM="xcb", PV_MACRO_PATH=":".join(self.macros + [str(macros)]),
+                           QT_QPA_PLATFORM="xcb", PV_MACRO_PATH=":".join(self.macros + [str(scratch / "macros")]),
                            XDG_RUNTIME_DIR=str(scratch))
         for name in ("XDG_CONFIG_HOME", "XAUTHORITY", "LD_LIBRARY_PATH"):
             environment.pop(name, None)
@@ -141,18 +146,33 @@ def read_framebuffer(path):
     return pixels[:, :, [2, 1, 0] if head[7] == 0 else [1, 2, 3]].copy()
 
 
+def crop(pixels):
+    """The window alone: without the black of the display around it."""
+    lit = pixels.max(axis=2) > 0
+    rows, columns = lit.any(axis=1).nonzero()[0], lit.any(axis=0).nonzero()[0]
+    return pixels[rows[0]:rows[-1] + 1, columns[0]:columns[-1] + 1]
+
+
+def choose_palette(keys, counts, colors):
+    """Half of it the colors that occur most, half those that are farthest from all before."""
+    chosen = list(numpy.argsort(-counts, kind="stable")[:colors // 2])
+    distance = numpy.full(len(keys), numpy.inf)
+    for place in range(min(colors, len(keys))):
+        if place >= len(chosen):
+            chosen.append(distance.argmax())
+        distance = numpy.minimum(distance, ((keys - keys[chosen[place]]) ** 2).sum(axis=1))
+    return keys[chosen]
+
+
 def write_png(path, pixels, colors=256):
-    """A PNG with a palette: the colors that occur most, each other one by the nearest of them."""
+    """A PNG with a palette of so many colors; each other one by the nearest of them."""
     height, width, _ = pixels.shape
     coarse = (pixels.astype(int) >> 2).reshape(-1, 3) @ [4096, 64, 1]
     keys, places, counts = numpy.unique(coarse, return_inverse=True, return_counts=True)
-    chosen = keys[numpy.argsort(-counts, kind="stable")[:colors]]
-
-    def parts(key):
-        return numpy.stack([key >> 12, (key >> 6) & 63, key & 63], axis=1)
-
-    distance = ((parts(keys)[:, None, :] - parts(chosen)[None, :, :]) ** 2).sum(axis=2)
-    indices = distance.argmin(axis=1)[places.reshape(-1)].astype(numpy.uint8)
+    keys = numpy.stack([keys >> 12, (keys >> 6) & 63, keys & 63], axis=1)
+    chosen = choose_palette(keys, counts, colors)
+    nearest = numpy.array([((chosen - key) ** 2).sum(axis=1).argmin() for key in keys])
+    indices = nearest[places.reshape(-1)].astype(numpy.uint8)
     palette = numpy.zeros((len(chosen), 3))
     total = numpy.bincount(indices, minlength=len(chosen))
     for channel in range(3):
@@ -169,3 +189,18 @@ def write_png(path, pixels, colors=256):
         for kind, data in chunks:
             file.write(struct.pack(">I", len(data)) + kind + data
                        + struct.pack(">I", zlib.crc32(kind + data)))
+
+
+def read_png(path):
+    """What write_png has written."""
+    data = pathlib.Path(path).read_bytes()
+    chunks, place = {}, 8
+    while place < len(data):
+        size, = struct.unpack(">I", data[place:place + 4])
+        kind = data[place + 4:place + 8]
+        chunks[kind] = chunks.get(kind, b"") + data[place + 8:place + 8 + size]
+        place += size + 12
+    width, height = struct.unpack(">II", chunks[b"IHDR"][:8])
+    rows = numpy.frombuffer(zlib.decompress(chunks[b"IDAT"]), numpy.uint8).reshape(height, width + 1)
+    palette = numpy.frombuffer(chunks[b"PLTE"], numpy.uint8).reshape(-1, 3)
+    return palette[rows[:, 1:]]
