@@ -134,6 +134,10 @@
  *  - "RepairSize" (float): in world units, how far the slice's nearest crossing was from the
  *    vertex (kind 3), distance of the crossings (4), length of the new arcs (5, 6), of the border
  *    of the patch (7), by how much the arcs became shorter (8);
+ *  - "SliceRmsDisagreement" (float; active scalars): of arcs and isolated contours,
+ *    "RmsDisagreement" of their slice on port 4; of node points their "Disagreement"; of repairs 0;
+ *  - "ContourRmsDisagreement" (float): the same of their contour on port 3, of several cells that
+ *    make one contour on the arcs of the one that it is listed under;
  *  - "Virtual" (unsigned char), only where there are virtual slices: 1 for their arcs and isolated
  *    contours, and for node points on them. Nothing that they contradict is reported.
  *
@@ -152,7 +156,8 @@
  * "PlaneCoordinate", "NodePoints", "RmsDisagreement", "MaxDisagreement" as above; of the repairs
  * "OverruledVertices" (kind 3) and "SnippedCrossings" (two for each of kind 4) (vtkIdType); and
  * "ShiftX", "ShiftY", "ShiftZ" (double): the translation within its plane that would bring the
- * slice closest to the others. A slice that was moved as a whole shows here. Only where there are
+ * slice closest to the others. A slice that was moved as a whole shows here. "SliceName" (string) is
+ * axis and coordinate in words, "y = 0.25". Only where there are
  * virtual slices, "Virtual" (unsigned char) is 1 for them; these agree with nothing.
  *
  * Port 5, the undecided places (vtkTable), one row each: "X", "Y", "Z" (double): where; "Kind"
@@ -163,7 +168,8 @@
  * listed; and where to slice next: "PlaneAxis" (int), "PlaneCoordinate" (double), the slice that
  * would settle the place, "PlaneSettles" (vtkIdType), how many places it would settle, and
  * "PlaneRank" (int), 0 for the slice that settles most: a place counts the more, the less certain
- * it is (see UncertaintyOf() in Core/Cells/UndecidedPlaces.h). The rows ascend by that rank.
+ * it is (see UncertaintyOf() in Core/Cells/UndecidedPlaces.h). "KindName", "ChoiceName" and
+ * "PlaneName" (string) say kind, choice and slice in words. The rows ascend by that rank.
  *
  * Port 6, the input problems (vtkTable), one row for each contour that was mended, left out or
  * crosses another: "Port" (int), "Cell" (vtkIdType; of a contour made of several cells, one of

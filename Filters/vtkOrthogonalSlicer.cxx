@@ -6,6 +6,7 @@
 #include "Bridge/DescribeReport.h"
 #include "Bridge/ExecuteWithVtk.h"
 #include "Bridge/ImageFrame.h"
+#include "Bridge/PassPointData.h"
 #include "Bridge/ReadSamples.h"
 #include "Bridge/ReadTriangles.h"
 #include "Bridge/WriteContours.h"
@@ -19,8 +20,10 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -119,6 +122,7 @@ int vtkOrthogonalSlicer::FillInputPortInformation(int, vtkInformation* info)
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
   return 1;
 }
 
@@ -152,12 +156,12 @@ int vtkOrthogonalSlicer::RequestData(
     return 1; // the first process has all contours
   }
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
-  vtkImageData* image = vtkImageData::SafeDownCast(input);
+  const bool hasSamples = input && (input->IsA("vtkImageData") || input->IsA("vtkRectilinearGrid"));
   bool done = true;
   try
   {
-    done = image ? this->SliceImage(image, inputs, outputs)
-                 : input && this->SliceSurface(SurfaceOf(input), outputs);
+    done = hasSamples ? this->SliceSamples(input, inputs, outputs)
+                      : input && this->SliceSurface(SurfaceOf(input), outputs);
   }
   catch (const orthoslices::Stopped&)
   {
@@ -195,6 +199,7 @@ bool vtkOrthogonalSlicer::SliceSurface(vtkPolyData* input, vtkInformationVector*
   }
   this->UpdateProgress(0.3);
 
+  surface.NamesEdges = true;
   const bool isDouble = this->OutputPointsPrecision == DEFAULT_PRECISION
     ? input->GetPoints()->GetDataType() == VTK_DOUBLE
     : this->OutputPointsPrecision == DOUBLE_PRECISION;
@@ -210,27 +215,47 @@ bool vtkOrthogonalSlicer::SliceSurface(vtkPolyData* input, vtkInformationVector*
     RoundPlanes(precision, planes);
     const auto contours = orthoslices::SliceSurface(surface, axis, planes, precision,
       ExecuteLoop(this, 0.3 + 0.7 * axis / 3, 0.3 + 0.7 * (axis + 1) / 3));
-    WriteContours(axis, precision, planes, contours, vtkPolyData::GetData(outputs, axis));
+    vtkPolyData* output = vtkPolyData::GetData(outputs, axis);
+    WriteContours(axis, precision, planes, contours, output);
+    PassPointData(input->GetPointData(), contours, output);
   }
   return true;
 }
 
 //----------------------------------------------------------------------------
-bool vtkOrthogonalSlicer::SliceImage(
-  vtkImageData* input, vtkInformationVector** inputs, vtkInformationVector* outputs)
+bool vtkOrthogonalSlicer::ReadGrid(
+  vtkDataSet* input, orthoslices::ImageFrame& frame, orthoslices::SampleGrid& grid)
 {
-  vtkDataArray* scalars = this->FindScalars(input, inputs);
-  ImageFrame frame;
-  if (!scalars)
+  if (auto* samples = vtkRectilinearGrid::SafeDownCast(input))
   {
-    return false;
+    if (!ReadSampleGrid(samples, grid))
+    {
+      vtkErrorMacro("The coordinates of the rectilinear grid do not ascend along each axis.");
+      return false;
+    }
+    return true;
   }
-  if (!ReadImageFrame(input, frame))
+  auto* image = vtkImageData::SafeDownCast(input);
+  if (!ReadImageFrame(image, frame))
   {
     vtkErrorMacro("The image's direction matrix is singular: its axes lie in one plane.");
     return false;
   }
-  SampleGrid grid = ReadSampleGrid(input, frame);
+  grid = ReadSampleGrid(image, frame);
+  return true;
+}
+
+//----------------------------------------------------------------------------
+bool vtkOrthogonalSlicer::SliceSamples(
+  vtkDataSet* input, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataArray* scalars = this->FindScalars(input, inputs);
+  ImageFrame frame;
+  SampleGrid grid;
+  if (!scalars || !this->ReadGrid(input, frame, grid))
+  {
+    return false;
+  }
   const Precision stored =
     this->OutputPointsPrecision == SINGLE_PRECISION ? Precision::Single : Precision::Double;
   // Oblique contours are rounded once, where they are in the world.
@@ -268,8 +293,10 @@ bool vtkOrthogonalSlicer::SliceImage(
     else
     {
       WriteContours(axis, precision, planes,
-        SliceSamples(scalars, grid, axis, samples[axis], region, precision, execution), output);
+        orthoslices::SliceSamples(scalars, grid, axis, samples[axis], region, precision, execution),
+        output);
     }
+    PassSampleData(input->GetPointData(), grid, axis, samples[axis], output);
     if (frame.IsOblique)
     {
       MoveToWorld(frame, stored, output);
@@ -279,7 +306,7 @@ bool vtkOrthogonalSlicer::SliceImage(
 }
 
 //----------------------------------------------------------------------------
-vtkDataArray* vtkOrthogonalSlicer::FindScalars(vtkImageData* input, vtkInformationVector** inputs)
+vtkDataArray* vtkOrthogonalSlicer::FindScalars(vtkDataSet* input, vtkInformationVector** inputs)
 {
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* scalars = this->GetInputArrayToProcess(0, inputs, association);

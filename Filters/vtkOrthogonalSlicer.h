@@ -21,6 +21,7 @@
  *  - vtkImageData: scalars on points, chosen with SetInputArrayToProcess() (default: the active
  *    point scalars; of several components the first). It may have any direction matrix that is
  *    not singular: see below. A scalar that is not a number is outside. Blanking is ignored.
+ *  - vtkRectilinearGrid: the same, with samples at coordinates that ascend along each axis.
  *
  * In parallel runs the first process slices the whole input and the others' outputs are empty.
  *
@@ -34,6 +35,9 @@
  *  - cell data "PlaneCoordinate" (double): the plane's coordinate;
  *  - cell data "Label" (of the type of the scalars), with EveryLabel only: the label of the
  *    contour; contours are ordered by plane, then by label;
+ *  - point data: what the points of the input carry, interpolated linearly as vtkCutter does it, on
+ *    the padding of an image from its nearest samples; without arrays that have nothing in between
+ *    (strings, ids);
  *  - field data "PlaneCoordinates" (double): coordinates of all planes of this axis, ascending.
  *
  * @section Planes Planes
@@ -97,7 +101,13 @@
 #include <vector> // for the explicit coordinates
 
 class vtkDataArray;
-class vtkImageData;
+class vtkDataSet;
+
+namespace orthoslices
+{
+struct ImageFrame;
+struct SampleGrid;
+}
 
 class VTKFILTERSORTHOGONALSLICES_EXPORT vtkOrthogonalSlicer : public vtkPolyDataAlgorithm
 {
@@ -247,9 +257,10 @@ private:
   void operator=(const vtkOrthogonalSlicer&) = delete;
 
   bool SliceSurface(vtkPolyData* input, vtkInformationVector* outputs);
-  bool SliceImage(
-    vtkImageData* input, vtkInformationVector** inputs, vtkInformationVector* outputs);
-  vtkDataArray* FindScalars(vtkImageData* input, vtkInformationVector** inputs);
+  bool SliceSamples(
+    vtkDataSet* input, vtkInformationVector** inputs, vtkInformationVector* outputs);
+  bool ReadGrid(vtkDataSet* input, orthoslices::ImageFrame& frame, orthoslices::SampleGrid& grid);
+  vtkDataArray* FindScalars(vtkDataSet* input, vtkInformationVector** inputs);
   bool PlacePlanes(int axis, double lo, double hi, std::vector<double>& planes);
   bool PlaceByNumber(int axis, double lo, double hi, std::vector<double>& planes);
   bool PlaceBySpacing(int axis, double lo, double hi, std::vector<double>& planes);

@@ -10,6 +10,7 @@
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
 #include "vtkDelaunay3D.h"
+#include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -20,9 +21,11 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+#include "vtkStringArray.h"
 #include "vtkStripper.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
@@ -809,6 +812,127 @@ TEST(OrthogonalSlicer, SolidCellsAreSlicedAsTheirSurface)
 }
 
 //----------------------------------------------------------------------------
+namespace
+{
+/// Adds the point data "Linear", x + 2 y - 3 z, and "Name", which has nothing between two points.
+void AddLinear(vtkDataSet* data)
+{
+  vtkNew<vtkDoubleArray> values;
+  vtkNew<vtkStringArray> names;
+  values->SetName("Linear");
+  names->SetName("Name");
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const double* p = data->GetPoint(i);
+    values->InsertNextValue(p[0] + 2.0 * p[1] - 3.0 * p[2]);
+    names->InsertNextValue("point");
+  }
+  data->GetPointData()->AddArray(values);
+  data->GetPointData()->AddArray(names);
+}
+
+/// Checks that all points have the values of AddLinear; their number.
+int ExpectLinear(vtkOrthogonalSlicer* slicer)
+{
+  slicer->Update();
+  int count = 0;
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkPolyData* slices = slicer->GetOutput(port);
+    EXPECT_EQ(slices->GetPointData()->GetAbstractArray("Name"), nullptr);
+    vtkDataArray* values = slices->GetPointData()->GetArray("Linear");
+    EXPECT_TRUE(values && values->GetNumberOfTuples() == slices->GetNumberOfPoints());
+    for (vtkIdType i = 0; values && i < slices->GetNumberOfPoints(); ++i, ++count)
+    {
+      const double* p = slices->GetPoint(i);
+      EXPECT_NEAR(values->GetTuple1(i), p[0] + 2.0 * p[1] - 3.0 * p[2], 1e-5);
+    }
+  }
+  return count;
+}
+}
+
+TEST(OrthogonalSlicer, PointDataAreInterpolated)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(20);
+  sphere->SetPhiResolution(20);
+  sphere->Update();
+  AddLinear(sphere->GetOutput());
+  vtkNew<vtkDelaunay3D> solid;
+  solid->SetInputData(sphere->GetOutput());
+  solid->Update();
+  vtkDataSet* const inputs[] = { sphere->GetOutput(), solid->GetOutput() };
+  for (vtkDataSet* input : inputs)
+  {
+    vtkNew<vtkOrthogonalSlicer> slicer;
+    slicer->SetInputData(input);
+    EXPECT_GT(ExpectLinear(slicer), 500);
+  }
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// Coordinates from -1 to 1 that are denser in the middle.
+vtkSmartPointer<vtkRectilinearGrid> MakeRectilinearBall()
+{
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  vtkNew<vtkDoubleArray> coordinates, inside;
+  for (int i = -10; i <= 10; ++i)
+  {
+    coordinates->InsertNextValue(0.05 * i + 0.005 * i * std::abs(i));
+  }
+  grid->SetDimensions(21, 21, 21);
+  grid->SetXCoordinates(coordinates);
+  grid->SetYCoordinates(coordinates);
+  grid->SetZCoordinates(coordinates);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    const double* p = grid->GetPoint(i);
+    inside->InsertNextValue(0.64 - p[0] * p[0] - p[1] * p[1] - p[2] * p[2]);
+  }
+  inside->SetName("Inside");
+  grid->GetPointData()->SetScalars(inside);
+  AddLinear(grid);
+  return grid;
+}
+}
+
+TEST(OrthogonalSlicer, RectilinearGridsAreSlicedAsImages)
+{
+  const auto grid = MakeRectilinearBall();
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(grid);
+  slicer->SetPlaneModeToCoordinates();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    slicer->SetCoordinate(axis, 0, 0.0);
+    slicer->SetCoordinate(axis, 1, 0.5); // the nearest sample is 0.48
+    slicer->SetCoordinate(axis, 2, 1.2); // beyond: left out
+  }
+  EXPECT_GT(ExpectLinear(slicer), 100);
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkPolyData* slices = slicer->GetOutput(port);
+    ExpectValidSlices(slices, port);
+    EXPECT_EQ(slices->GetPointData()->GetScalars(), nullptr);
+    const std::vector<double> planes = PlaneCoordinates(slices);
+    ASSERT_EQ(planes.size(), 2u);
+    EXPECT_NEAR(planes[1], 0.48, 1e-12);
+    EXPECT_NEAR(TotalArea(slices, port), Pi * (0.64 + 0.64 - 0.48 * 0.48), 0.05);
+  }
+
+  vtkNew<vtkDoubleArray> falling;
+  for (int i = 0; i <= 20; ++i)
+  {
+    falling->InsertNextValue(-i);
+  }
+  grid->SetYCoordinates(falling);
+  EXPECT_NE(ErrorsOf(slicer).find("do not ascend"), std::string::npos);
+}
+
+//----------------------------------------------------------------------------
 // Conduct in a pipeline
 
 TEST(OrthogonalSlicer, SettersModifyOnlyOnChange)
@@ -897,10 +1021,9 @@ TEST(OrthogonalSlicer, PrintsItsParameters)
   slicer->SetYCoordinate(0, 12.5);
   std::ostringstream text;
   slicer->Print(text);
-  for (const char* words :
-    { "PlaneMode: Number", "NumberOfSlices: 32 32 32", "Spacing: 1 1 1", "YCoordinates: 12.5",
-      "IsoValue: 0", "UseLabel: Off", "LabelValue: 1", "EveryLabel: Off",
-      "BackgroundLabel: 0", "OutputPointsPrecision: 2" })
+  for (const char* words : { "PlaneMode: Number", "NumberOfSlices: 32 32 32", "Spacing: 1 1 1",
+         "YCoordinates: 12.5", "IsoValue: 0", "UseLabel: Off", "LabelValue: 1", "EveryLabel: Off",
+         "BackgroundLabel: 0", "OutputPointsPrecision: 2" })
   {
     EXPECT_NE(text.str().find(words), std::string::npos) << words;
   }

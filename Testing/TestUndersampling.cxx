@@ -251,8 +251,9 @@ TEST(Undersampling, ColumnsOfTheTableOfUndecidedPlaces)
     } columns[] = { { "X", VTK_DOUBLE }, { "Y", VTK_DOUBLE }, { "Z", VTK_DOUBLE },
       { "Kind", VTK_INT }, { "Choice", VTK_INT }, { "Evidence", VTK_DOUBLE },
       { "PlaneRank", VTK_INT }, { "PlaneAxis", VTK_INT }, { "PlaneCoordinate", VTK_DOUBLE },
-      { "PlaneSettles", VTK_ID_TYPE } };
-    EXPECT_EQ(table->GetNumberOfColumns(), 10);
+      { "PlaneSettles", VTK_ID_TYPE }, { "KindName", VTK_STRING }, { "ChoiceName", VTK_STRING },
+      { "PlaneName", VTK_STRING } };
+    EXPECT_EQ(table->GetNumberOfColumns(), 13);
     for (const auto& column : columns)
     {
       ASSERT_NE(table->GetColumnByName(column.Name), nullptr) << column.Name;

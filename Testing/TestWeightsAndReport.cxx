@@ -450,6 +450,40 @@ TEST(ReportTolerance, LeavesTheMeasuredValuesAlone)
 }
 
 //----------------------------------------------------------------------------
+TEST(GraphOutput, IsColoredByTheDisagreementOfSlices)
+{
+  FilterRun run(ParsePieces(OneDisagreement));
+  run.Filter->SetReportTolerance(1.0);
+  run.Update();
+  vtkPolyData* graph = run.Filter->GetGraphOutput();
+  vtkTable* slices = run.Filter->GetSliceTable();
+  auto* contours = vtkTable::SafeDownCast(run.Filter->GetOutputDataObject(3));
+  ASSERT_NE(graph->GetCellData()->GetScalars(), nullptr);
+  EXPECT_STREQ(graph->GetCellData()->GetScalars()->GetName(), "SliceRmsDisagreement");
+  int arcs = 0;
+  for (vtkIdType cell = 0; cell < graph->GetNumberOfCells(); ++cell)
+  {
+    const auto value = [&](const char* name) { return ValueOf(graph, name, cell); };
+    if (value("Kind") == 0.0)
+    {
+      EXPECT_EQ(value("SliceRmsDisagreement"), value("Disagreement"));
+    }
+    else if (value("Kind") == 1.0)
+    {
+      ++arcs;
+      // One slice and one contour of each family.
+      const vtkIdType axis = static_cast<vtkIdType>(value("SliceAxis"));
+      const auto rms = [&](vtkTable* table)
+      { return table->GetValueByName(axis, "RmsDisagreement").ToDouble(); };
+      EXPECT_EQ(value("SliceRmsDisagreement"), rms(slices));
+      EXPECT_EQ(value("ContourRmsDisagreement"), rms(contours));
+    }
+  }
+  EXPECT_EQ(arcs, 12);
+  EXPECT_EQ(slices->GetValueByName(1, "SliceName").ToString(), "y = 0");
+}
+
+//----------------------------------------------------------------------------
 namespace
 {
 double DiagonalOf(const PieceSets& sets)

@@ -27,13 +27,13 @@ install_packages()
     -o Dpkg::Use-Pty=0 "${missing[@]}" > /dev/null
 }
 
-# Compiler, CMake, GoogleTest, ParaView with its development files, and what Python reads DICOM files
-# with; and the packages given.
+# Compiler, CMake, GoogleTest, ParaView with its development files and the library that draws its icons,
+# and what Python reads DICOM files with; and the packages given.
 install_dependencies()
 {
   install_packages g++ cmake ninja-build python3-dev libgtest-dev libcgal-dev libeigen3-dev \
     libopenmpi-dev openmpi-bin paraview paraview-dev python3-paraview libtbb-dev libglew-dev \
-    libfreetype-dev xvfb xauth python3-numpy python3-pydicom python3-gdcm "$@"
+    libfreetype-dev libqt5svg5 xvfb xauth python3-numpy python3-pydicom python3-gdcm "$@"
 }
 
 # What the core is built with and looked at by clang-tidy.

@@ -222,6 +222,8 @@ void LabelOutputs::AppendPort(int port)
   {
     AppendPolyData(data, whole);
     whole->GetPointData()->SetActiveNormals("Normals");
+    // What ParaView colors by when it shows them first.
+    whole->GetCellData()->SetActiveScalars(port == SurfacePort ? "Label" : "SliceRmsDisagreement");
   }
   else
   {

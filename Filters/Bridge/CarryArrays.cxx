@@ -21,7 +21,8 @@ constexpr std::size_t NotOnSurface = static_cast<std::size_t>(-1);
 
 /// Names of the cell arrays that graph and surface have of their own.
 constexpr const char* OwnNames[] = { "Kind", "Disagreement", "SliceAxis", "SlicePlane", "Length",
-  "ComponentId", "RepairSize", "Virtual", "GridCell", "PolygonSize", "Repaired" };
+  "ComponentId", "RepairSize", "SliceRmsDisagreement", "ContourRmsDisagreement", "Virtual",
+  "GridCell", "PolygonSize", "Repaired" };
 
 /// Whether the array says on which slice a contour of vtkOrthogonalSlicer lies.
 bool IsOfSlicer(const std::string& name)

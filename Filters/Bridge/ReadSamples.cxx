@@ -4,6 +4,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkRectilinearGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,33 @@ SampleGrid ReadSampleGrid(vtkImageData* image, const ImageFrame& frame)
   return grid;
 }
 
+bool ReadSampleGrid(vtkRectilinearGrid* samples, SampleGrid& grid)
+{
+  vtkDataArray* coordinates[] = { samples->GetXCoordinates(), samples->GetYCoordinates(),
+    samples->GetZCoordinates() };
+  std::ptrdiff_t stride = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const vtkIdType count = coordinates[axis]->GetNumberOfTuples();
+    std::vector<double>& all = grid.Axes[axis].Coordinates;
+    all.assign(1, 0.0);
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      all.push_back(coordinates[axis]->GetComponent(i, 0));
+      if (!std::isfinite(all.back()) || (i > 0 && !(all[i] < all.back())))
+      {
+        return false;
+      }
+    }
+    // A grid of one sample has no distance.
+    all.front() = count > 1 ? 2.0 * all[1] - all[2] : all[1] - 1.0;
+    all.push_back(count > 1 ? 2.0 * all[count] - all[count - 1] : all[count] + 1.0);
+    grid.Axes[axis].Stride = stride;
+    stride *= count;
+  }
+  return true;
+}
+
 void RoundCoordinates(Precision precision, SampleGrid& grid)
 {
   for (SampleAxis& axis : grid.Axes)
@@ -84,12 +112,15 @@ void RoundCoordinates(Precision precision, SampleGrid& grid)
 std::vector<Index> NearestSamples(
   const SampleAxis& samples, const std::vector<double>& planes, bool dropBeyond)
 {
-  const double half = 0.5 * (samples.Coordinate(0) - samples.Coordinate(-1));
+  const Index count = samples.Count();
+  const double below = 0.5 * (samples.Coordinate(0) - samples.Coordinate(-1));
+  const double above = 0.5 * (samples.Coordinate(count) - samples.Coordinate(count - 1));
   std::vector<Index> nearest;
   for (const double plane : planes)
   {
     const Index sample = samples.Nearest(plane);
-    const bool beyond = std::abs(plane - samples.Coordinate(sample)) > half * (1.0 + 1e-9);
+    const bool beyond = samples.Coordinate(0) - plane > below * (1.0 + 1e-9) ||
+      plane - samples.Coordinate(count - 1) > above * (1.0 + 1e-9);
     if (!(beyond && dropBeyond))
     {
       nearest.push_back(sample);

@@ -12,6 +12,7 @@
 
 class vtkDataArray;
 class vtkImageData;
+class vtkRectilinearGrid;
 
 namespace orthoslices
 {
@@ -49,6 +50,10 @@ struct Region
 
 /// An image's samples along the axes of its frame.
 SampleGrid ReadSampleGrid(vtkImageData* image, const ImageFrame& frame);
+
+/// Those of a rectilinear grid along x, y and z, padded by the distance of the outermost two. False if
+/// coordinates along an axis do not ascend, each above the one before, or are not finite.
+bool ReadSampleGrid(vtkRectilinearGrid* samples, SampleGrid& grid);
 
 /// Rounds all coordinates to the precision of the output.
 void RoundCoordinates(Precision precision, SampleGrid& grid);

@@ -14,9 +14,12 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <tuple>
 
 namespace orthoslices
 {
@@ -26,6 +29,48 @@ namespace
 constexpr int NodeKind = 0;
 constexpr int ArcKind = 1;
 constexpr int IsolatedKind = 2;
+
+/// How far each contour is from the others that it meets, as the table of contours has it, by the
+/// number that arcs and isolated contours have of theirs (Reconstruction::ArcSources).
+class ContourDisagreement
+{
+public:
+  explicit ContourDisagreement(const Reconstruction& result);
+
+  /// 0 for what has no source.
+  double Of(std::int64_t source) const;
+
+private:
+  using Place = std::tuple<int, std::int64_t, std::int64_t>; ///< port, block and cell
+  const PolylineSources& Sources;
+  std::map<Place, double> Values;
+};
+
+ContourDisagreement::ContourDisagreement(const Reconstruction& result)
+  : Sources(result.Sources)
+{
+  const ContourList& members = result.Members;
+  for (std::size_t i = 0; i < members.Port.size(); ++i)
+  {
+    if (!members.IsVirtual(i))
+    {
+      // A contour made of several cells is listed under one of them, and several under the same.
+      double& value = this->Values[{ members.Port[i], members.Block[i], members.Cell[i] }];
+      value = std::max(value, result.Agreement.OfContour[i].RootMeanSquare());
+    }
+  }
+}
+
+double ContourDisagreement::Of(std::int64_t source) const
+{
+  if (source < 0 || source >= static_cast<std::int64_t>(this->Sources.Cell.size()))
+  {
+    return 0.0;
+  }
+  const auto found = this->Values.find(
+    { this->Sources.Port[source], this->Sources.Block[source], this->Sources.Cell[source] });
+  return found == this->Values.end() ? 0.0 : found->second;
+}
 
 /// Writes the cells of port 1 with their arrays: node points, repairs, arcs, isolated contours.
 class GraphWriter
@@ -50,26 +95,34 @@ private:
     double Length;
     int Component;
     double RepairSize;
-    bool Virtual; ///< an arc or contour of a virtual slice, or a node point on one
+    double OfSlice;   ///< RMS disagreement of the slice; of a node point, its own
+    double OfContour; ///< the same of the contour
+    bool Virtual;     ///< an arc or contour of a virtual slice, or a node point on one
   };
   void AddRow(const Row& row);
   void ListIds(Index arc, std::vector<vtkIdType>& ids) const;
   double SumLength(const std::vector<vtkIdType>& ids) const;
+  double OfSlice(int axis, Index plane) const
+  {
+    return this->Result.Agreement.OfPlane[axis][plane].RootMeanSquare();
+  }
 
   const Reconstruction& Result;
+  const ContourDisagreement Contours;
   const NodeGraph& Drawn; ///< with all vertices of contours
   vtkPolyData* Graph;
   GridEdgeCode Code;
   std::vector<vtkIdType> Ids; ///< points of the line that is being written
   vtkNew<vtkCellArray> Verts, Lines;
   vtkNew<vtkDoubleArray> Disagreement, Length;
-  vtkNew<vtkFloatArray> RepairSize;
+  vtkNew<vtkFloatArray> RepairSize, SliceDisagreement, ContourDisagreements;
   vtkNew<vtkUnsignedCharArray> Kind, Virtual;
   vtkNew<vtkIntArray> SliceAxis, SlicePlane, ComponentId;
 };
 
 GraphWriter::GraphWriter(const Reconstruction& result, vtkPolyData* graph)
   : Result(result)
+  , Contours(result)
   , Drawn(DrawnGraph(result))
   , Graph(graph)
   , Code(result.Grid)
@@ -81,15 +134,20 @@ GraphWriter::GraphWriter(const Reconstruction& result, vtkPolyData* graph)
   this->Length->SetName("Length");
   this->ComponentId->SetName("ComponentId");
   this->RepairSize->SetName("RepairSize");
+  this->SliceDisagreement->SetName("SliceRmsDisagreement");
+  this->ContourDisagreements->SetName("ContourRmsDisagreement");
   const vtkIdType cells = vtkIdType(this->Drawn.Nodes) + result.Crossings.Count() +
     result.Isolated.Count() + static_cast<vtkIdType>(result.Repairs.size());
   vtkDataArray* arrays[] = { this->Kind, this->Disagreement, this->SliceAxis, this->SlicePlane,
-    this->Length, this->ComponentId, this->RepairSize };
+    this->Length, this->ComponentId, this->RepairSize, this->SliceDisagreement,
+    this->ContourDisagreements };
   for (vtkDataArray* array : arrays)
   {
     array->Allocate(cells);
     graph->GetCellData()->AddArray(array);
   }
+  // What is shown first has the colors of these: slices that agree little with the others stand out.
+  graph->GetCellData()->SetScalars(this->SliceDisagreement);
   if (result.Grid.HasVirtual())
   {
     this->Virtual->SetName("Virtual");
@@ -119,6 +177,8 @@ void GraphWriter::AddRow(const Row& row)
   this->Length->InsertNextValue(row.Length);
   this->ComponentId->InsertNextValue(row.Component);
   this->RepairSize->InsertNextValue(static_cast<float>(row.RepairSize));
+  this->SliceDisagreement->InsertNextValue(static_cast<float>(row.OfSlice));
+  this->ContourDisagreements->InsertNextValue(static_cast<float>(row.OfContour));
   if (this->Result.Grid.HasVirtual())
   {
     this->Virtual->InsertNextValue(row.Virtual ? 1 : 0);
@@ -135,7 +195,7 @@ void GraphWriter::AddNodes()
     const GridEdge edge =
       this->Code.Decode(this->Result.Crossings.Edge[this->Result.Nodes.First[index]]);
     this->AddRow({ NodeKind, disagreement, -1, -1, 0.0, this->Drawn.Component[index], 0.0,
-      !AreReal(this->Result.Grid, edge) });
+      disagreement, disagreement, !AreReal(this->Result.Grid, edge) });
   }
 }
 
@@ -148,7 +208,7 @@ void GraphWriter::AddRepairs()
     this->Verts->InsertNextCell(1, &point);
     ++point;
     this->AddRow({ static_cast<int>(repair.Kind), 0.0, repair.Axis, repair.Plane, 0.0, -1,
-      repair.Size, false });
+      repair.Size, 0.0, 0.0, false });
   }
 }
 
@@ -184,9 +244,11 @@ void GraphWriter::AddArc(Index arc, double length)
   this->Lines->InsertNextCell(static_cast<vtkIdType>(this->Ids.size()), this->Ids.data());
   const GridEdge edge = this->Code.Decode(crossings.Edge[arc]);
   const bool first = crossings.Family[arc] == 0;
-  this->AddRow({ ArcKind, 0.0, first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction),
-    first ? edge.First : edge.Second, length,
-    this->Result.Graph.Component[this->Result.Nodes.NodeOf[arc]], 0.0,
+  const int axis = first ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction);
+  const Index plane = first ? edge.First : edge.Second;
+  this->AddRow({ ArcKind, 0.0, axis, plane, length,
+    this->Result.Graph.Component[this->Result.Nodes.NodeOf[arc]], 0.0, this->OfSlice(axis, plane),
+    this->Contours.Of(this->Result.ArcSources[arc]),
     IsVirtualSlice(this->Result.Grid, edge, crossings.Family[arc]) });
 }
 
@@ -236,6 +298,7 @@ void GraphWriter::AddIsolated()
       loop == IsolatedContours::None ? -1 : this->Drawn.Component[this->Drawn.Nodes + loop];
     this->AddRow({ IsolatedKind, 0.0, isolated.Axis[i], isolated.Plane[i],
       this->SumLength(this->Ids), component, 0.0,
+      this->OfSlice(isolated.Axis[i], isolated.Plane[i]), this->Contours.Of(isolated.Source[i]),
       this->Result.Grid.IsVirtual(isolated.Axis[i], isolated.Plane[i]) });
   }
 }

@@ -4,6 +4,7 @@
 
 #include "Bridge/AddColumn.h"
 #include "Bridge/DescribeProblems.h"
+#include "Bridge/DescribeReport.h"
 #include "Core/Reconstruction.h"
 
 #include "vtkDoubleArray.h"
@@ -14,9 +15,36 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <sstream>
+#include <string>
 
 namespace orthoslices
 {
+namespace
+{
+/// As users name a slice: "y = 0.25".
+std::string NameOfSlice(int axis, double coordinate)
+{
+  std::ostringstream text;
+  text << AxisNames[axis] << " = " << coordinate;
+  return text.str();
+}
+
+const char* NameOfKind(UndecidedKind kind)
+{
+  return kind == UndecidedKind::TwoCycles    ? "two openings"
+    : kind == UndecidedKind::IsolatedContour ? "isolated contour"
+                                             : "two isolated contours";
+}
+
+const char* NameOfChoice(UndecidedChoice choice)
+{
+  return choice == UndecidedChoice::Joined ? "joined"
+    : choice == UndecidedChoice::Separate  ? "separate"
+                                           : "separate, as joined parts would cross";
+}
+}
+
 void WriteHistogram(const Reconstruction& result, vtkTable* table)
 {
   const std::vector<Index>& histogram = result.PolygonSizes;
@@ -113,6 +141,7 @@ void WriteSliceTable(const Reconstruction& result, vtkTable* table)
   auto* snipped = AddColumn<vtkIdTypeArray>(table, "SnippedCrossings");
   vtkDoubleArray* shift[3] = { AddColumn<vtkDoubleArray>(table, "ShiftX"),
     AddColumn<vtkDoubleArray>(table, "ShiftY"), AddColumn<vtkDoubleArray>(table, "ShiftZ") };
+  auto* name = AddColumn<vtkStringArray>(table, "SliceName");
   auto* isVirtual =
     result.Grid.HasVirtual() ? AddColumn<vtkUnsignedCharArray>(table, "Virtual") : nullptr;
   for (int axis = 0; axis < 3; ++axis)
@@ -125,6 +154,7 @@ void WriteSliceTable(const Reconstruction& result, vtkTable* table)
       columns.Add(result.Agreement.OfPlane[axis][plane]);
       overruled->InsertNextValue(0);
       snipped->InsertNextValue(0);
+      name->InsertNextValue(NameOfSlice(axis, result.Grid.Planes[axis][plane]));
       if (isVirtual != nullptr)
       {
         isVirtual->InsertNextValue(result.Grid.IsVirtual(axis, plane) ? 1 : 0);
@@ -158,6 +188,9 @@ void WriteUndecidedTable(const Reconstruction& result, vtkTable* table)
   auto* axis = AddColumn<vtkIntArray>(table, "PlaneAxis");
   auto* coordinate = AddColumn<vtkDoubleArray>(table, "PlaneCoordinate");
   auto* settles = AddColumn<vtkIdTypeArray>(table, "PlaneSettles");
+  auto* kindName = AddColumn<vtkStringArray>(table, "KindName");
+  auto* choiceName = AddColumn<vtkStringArray>(table, "ChoiceName");
+  auto* planeName = AddColumn<vtkStringArray>(table, "PlaneName");
   for (const UndecidedPlace& place : result.Undecided.Places)
   {
     where.InsertNext(place.Where);
@@ -170,6 +203,10 @@ void WriteUndecidedTable(const Reconstruction& result, vtkTable* table)
     axis->InsertNextValue(plane.Axis);
     coordinate->InsertNextValue(plane.Coordinate);
     settles->InsertNextValue(plane.Settles);
+    kindName->InsertNextValue(NameOfKind(place.Kind));
+    choiceName->InsertNextValue(NameOfChoice(place.Choice));
+    planeName->InsertNextValue(
+      place.PlaneRank < 0 ? std::string() : NameOfSlice(plane.Axis, plane.Coordinate));
   }
 }
 

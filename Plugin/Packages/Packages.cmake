@@ -20,6 +20,9 @@ install(DIRECTORY Plugin/Examples
   DESTINATION "${_documentation}" COMPONENT python
   PATTERN "__pycache__" EXCLUDE
   PATTERN "make-pictures.sh" EXCLUDE)
+if (ORTHOGONAL_SLICES_BUILD_PLUGIN)
+  install(DIRECTORY Plugin/Macros DESTINATION "${_documentation}" COMPONENT plugin)
+endif ()
 # A source archive for Python comes without data.
 if (EXISTS "${PROJECT_SOURCE_DIR}/Data/heart")
   file(GLOB _contours "${PROJECT_SOURCE_DIR}/Data/heart/n32_*.vtp")
@@ -37,7 +40,7 @@ foreach (file IN LISTS files)
   file(REMOVE "$ENV{DESTDIR}${file}")
   cmake_path(GET file PARENT_PATH folder)
   # Each folder after those in it; the prefix and what is not empty stay.
-  while (folder MATCHES "/(OrthogonalSlices|orthogonalslices|Formats|Examples|heart)(/|$)")
+  while (folder MATCHES "/(OrthogonalSlices|orthogonalslices|Formats|Examples|Macros|heart)(/|$)")
     file(GLOB entries "$ENV{DESTDIR}${folder}/*")
     if (entries)
       break ()

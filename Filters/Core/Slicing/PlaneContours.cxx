@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Slicing/PlaneContours.h"
 
+#include <cstddef>
+
 namespace orthoslices
 {
 bool PlaneContours::HasThreePlaces() const
@@ -20,21 +22,30 @@ bool PlaneContours::HasThreePlaces() const
   return false;
 }
 
+/// Leaves so many vertices.
+void PlaneContours::Shorten(std::size_t size)
+{
+  this->U.resize(size);
+  this->V.resize(size);
+  if (this->Edges.size() > size)
+  {
+    this->Edges.erase(this->Edges.begin() + static_cast<std::ptrdiff_t>(size), this->Edges.end());
+  }
+}
+
 void PlaneContours::CloseContour()
 {
   const std::size_t first = this->FirstOpen();
   while (this->U.size() > first + 1 && this->U.back() == this->U[first] &&
     this->V.back() == this->V[first])
   {
-    this->U.pop_back();
-    this->V.pop_back();
+    this->Shorten(this->U.size() - 1);
   }
   if (this->HasThreePlaces())
   {
     this->Offsets.push_back(static_cast<Index>(this->U.size()));
     return;
   }
-  this->U.resize(first);
-  this->V.resize(first);
+  this->Shorten(first);
 }
 }

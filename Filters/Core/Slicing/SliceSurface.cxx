@@ -395,8 +395,16 @@ void SurfaceSlicer::AddCrossing(
   const double t = this->Fraction(below, above, height);
   const int u = FirstAxis(this->Axis);
   const int v = SecondAxis(this->Axis);
-  contours.AddVertex(RoundTo(this->Stored, below[u] + t * (above[u] - below[u])),
-    RoundTo(this->Stored, below[v] + t * (above[v] - below[v])));
+  const double x = RoundTo(this->Stored, below[u] + t * (above[u] - below[u]));
+  const double y = RoundTo(this->Stored, below[v] + t * (above[v] - below[v]));
+  if (this->Surface.NamesEdges)
+  {
+    contours.AddVertex(x, y, { vertices[side], vertices[Next(side)], t });
+  }
+  else
+  {
+    contours.AddVertex(x, y);
+  }
 }
 
 /// Where on the edge the plane crosses it, kept away from both ends.

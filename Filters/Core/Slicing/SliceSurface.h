@@ -32,6 +32,10 @@ struct TriangleSurface
   /// Neighbors[t][s] is the triangle across the side of t from its vertex s to s + 1.
   /// Filled by CloseSurface().
   std::vector<std::array<Index, 3>> Neighbors;
+
+  /// Whether contours say on which edge of the surface each of their vertices lies
+  /// (PlaneContours::Edges), so that what points carry can be interpolated.
+  bool NamesEdges = false;
 };
 
 /// Why a surface cannot be sliced.
