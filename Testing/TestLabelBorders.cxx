@@ -501,3 +501,14 @@ TEST(LabelBorders, WhatIsDrawnIsNotOverlappedByWhatIsInserted)
   EXPECT_EQ(borders.Crossings, 0);
   EXPECT_LT(borders.Overlap, 1e-4);
 }
+
+/// What is left between labels where each was made to agree is no hole in all of them together: a
+/// field through their few slices would be hollow there.
+TEST(LabelBorders, SliversAreNoHolesOfAllLabels)
+{
+  const LabelImage image = MakeLabelImage(LabelKind::Ball, 12, 3);
+  const Borders borders = ReconstructContradicted(image, { 5, 5, 5 }, false);
+  EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
+  EXPECT_EQ(borders.Crossings, 0);
+  EXPECT_LT(borders.Gap, 0.006); // most of it is beside the outermost of the shifted slices
+}

@@ -41,6 +41,7 @@ private:
     return static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * this->CountU;
   }
   bool IsInside(const Place& place, int corner) const;
+  bool IsJoined(const Place& place) const;
   void Follow(Place place);
   int ExitSide(const Place& place) const;
   void Leave(Place& place, int side);
@@ -55,6 +56,7 @@ private:
   const Index CountU, CountV; ///< samples including the ring
   std::vector<double> Values; ///< NaN on the ring
   std::vector<std::uint8_t> Inside;
+  std::vector<std::size_t> Joined;   ///< squares, by the samples at their lower left corners
   std::vector<std::uint8_t> Visited; ///< line from sample (i, j) to (i + 1, j)
   PlaneContours Contours;
 };
@@ -80,6 +82,11 @@ SquareWalker::SquareWalker(const SamplePlane& plane, double threshold,
       this->Values[this->Sample(i, j)] = *value;
       this->Inside[this->Sample(i, j)] = *value >= threshold;
     }
+  }
+  for (const std::size_t sample : plane.Joined)
+  {
+    this->Joined.push_back(this->Sample(
+      static_cast<Index>(sample % plane.SizeU) + 1, static_cast<Index>(sample / plane.SizeU) + 1));
   }
 }
 
@@ -119,13 +126,21 @@ void SquareWalker::Follow(Place place)
   this->Contours.CloseContour();
 }
 
-/// Going clockwise from the entry keeps an inside corner apart from the one opposite.
+bool SquareWalker::IsJoined(const Place& place) const
+{
+  return std::binary_search(
+    this->Joined.begin(), this->Joined.end(), this->Sample(place.I, place.J));
+}
+
+/// Going clockwise from the entry keeps an inside corner apart from the one opposite; the other way
+/// around joins them.
 int SquareWalker::ExitSide(const Place& place) const
 {
+  const int step = this->IsJoined(place) ? 1 : 3;
   int side = place.Side;
   do
   {
-    side = (side + 3) & 3;
+    side = (side + step) & 3;
   } while (this->IsInside(place, side) || !this->IsInside(place, (side + 1) & 3));
   return side;
 }

@@ -14,6 +14,9 @@ struct SamplePlane
 {
   Index SizeU = 0, SizeV = 0;
   std::vector<double> Values;
+  /// The samples, by their places in Values, at the lower left corners of squares in which inside
+  /// samples on a diagonal are joined; ascending.
+  std::vector<std::size_t> Joined = {};
 };
 
 /**
@@ -30,7 +33,7 @@ struct SamplePlane
  * ring or is not finite. It depends on these two samples only and is computed in one direction:
  *     orthogonal planes of an image share it exactly.
  *  3. Of four samples around a square, two inside and two outside on its diagonals, the inside
- *     ones are kept apart.
+ *     ones are kept apart, but for squares in SamplePlane::Joined.
  */
 PlaneContours SliceImage(const SamplePlane& plane, double threshold, const std::vector<double>& us,
   const std::vector<double>& vs, Precision precision);

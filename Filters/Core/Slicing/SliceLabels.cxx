@@ -77,7 +77,7 @@ std::vector<double> CutOut(const std::vector<double>& coordinates, Index first, 
   return { coordinates.begin() + first, coordinates.begin() + last + 3 };
 }
 
-/// The squares of samples in which several labels meet in one point.
+/// The squares of samples in which several labels meet.
 class LabelMeetings
 {
 public:
@@ -91,21 +91,109 @@ public:
   {
   }
 
-  /// Whether labels meet in the square in which a side of a contour lies, given by its middle; and
-  /// where.
-  bool Find(const Point2& middle, Point2& meeting) const
+  /// The squares within the samples of a label in which it is on one diagonal and a lesser one,
+  /// not the background, on the other: as SamplePlane::Joined has them.
+  std::vector<std::size_t> FindJoined(double label, const SampleBox& box) const
   {
+    std::vector<std::size_t> joined;
+    const Index size = box.LastU - box.FirstU + 1;
+    for (Index j = box.FirstV; j < box.LastV; ++j)
+    {
+      for (Index i = box.FirstU; i < box.LastU; ++i)
+      {
+        const Corners corners = this->CornersOf(i + 1, j + 1); // past the ring
+        const double other = corners[corners[0] == label ? 1 : 0];
+        if (other < label && other != None && corners[0] == corners[2] &&
+          corners[1] == corners[3] && (corners[0] == label || corners[1] == label))
+        {
+          joined.push_back(i - box.FirstU + static_cast<std::size_t>(j - box.FirstV) * size);
+        }
+      }
+    }
+    return joined;
+  }
+
+  /// Appends the points at which a label meets others between two of its vertices, which follow each
+  /// other.
+  void AddBetween(double label, const Point2& from, const Point2& to, LabelContours& contours) const
+  {
+    const Point2 middle = Between(from, to, 0.5);
     const Index i = SquareOf(this->Us, middle[0]), j = SquareOf(this->Vs, middle[1]);
-    meeting = { RoundTo(this->Stored, 0.5 * (this->Us[i] + this->Us[i + 1])),
-      RoundTo(this->Stored, 0.5 * (this->Vs[j] + this->Vs[j + 1])) };
-    std::array<double, 4> corners{ this->LabelAt(i, j), this->LabelAt(i + 1, j),
-      this->LabelAt(i + 1, j + 1), this->LabelAt(i, j + 1) };
-    const bool isDiagonal = corners[0] == corners[2] || corners[1] == corners[3];
-    std::sort(corners.begin(), corners.end());
-    return !isDiagonal && std::unique(corners.begin(), corners.end()) - corners.begin() >= 3;
+    const Corners corners = this->CornersOf(i, j);
+    const auto add = [&](const Point2& p)
+    {
+      contours.Contours.U.push_back(p[0]);
+      contours.Contours.V.push_back(p[1]);
+    };
+    if (MeetInMiddle(corners))
+    {
+      add(this->PlaceIn(i, j, 0.5, 0.5));
+      return;
+    }
+    const int apart = CornerApart(corners);
+    if (apart < 0)
+    {
+      return;
+    }
+    // The middles of the two lines that cut off the corners of the label that stays apart.
+    const double left = apart == 0 ? 0.25 : 0.75;
+    std::array<Point2, 2> places{ this->PlaceIn(i, j, left, 0.25),
+      this->PlaceIn(i, j, 1.0 - left, 0.75) };
+    const bool isApart = label == corners[apart];
+    const Point2& beside = isApart ? middle : from;
+    if (Distance(beside, places[1]) < Distance(beside, places[0]))
+    {
+      std::swap(places[0], places[1]);
+    }
+    add(places[0]);
+    if (!isApart)
+    {
+      add(places[1]);
+    }
   }
 
 private:
+  using Corners = std::array<double, 4>;
+  static constexpr double None = -std::numeric_limits<double>::infinity();
+
+  static int CountDifferent(Corners corners)
+  {
+    std::sort(corners.begin(), corners.end());
+    return static_cast<int>(std::unique(corners.begin(), corners.end()) - corners.begin());
+  }
+
+  /// Whether all that have a corner of a square meet in its middle: three or four different ones.
+  static bool MeetInMiddle(const Corners& corners)
+  {
+    const bool isDiagonal = corners[0] == corners[2] || corners[1] == corners[3];
+    return !isDiagonal && CountDifferent(corners) >= 3;
+  }
+
+  /// The first one of two corners on a diagonal whose common label stays apart from itself, while two
+  /// others meet between them; -1 if there are none, or if background is between them.
+  static int CornerApart(const Corners& corners)
+  {
+    const bool hasBackground = std::find(corners.begin(), corners.end(), None) != corners.end();
+    if (hasBackground || CountDifferent(corners) != 3)
+    {
+      return -1;
+    }
+    return corners[0] == corners[2] ? 0 : corners[1] == corners[3] ? 1 : -1;
+  }
+
+  Corners CornersOf(Index i, Index j) const
+  {
+    return { this->LabelAt(i, j), this->LabelAt(i + 1, j), this->LabelAt(i + 1, j + 1),
+      this->LabelAt(i, j + 1) };
+  }
+
+  /// A place in a square of samples, as shares of its sides.
+  Point2 PlaceIn(Index i, Index j, double shareU, double shareV) const
+  {
+    return { RoundTo(this->Stored, (1.0 - shareU) * this->Us[i] + shareU * this->Us[i + 1]),
+      RoundTo(this->Stored, (1.0 - shareV) * this->Vs[j] + shareV * this->Vs[j + 1]) };
+  }
+
   /// The number of the sample before a coordinate, the ring's first one being 0.
   static Index SquareOf(const std::vector<double>& coordinates, double x)
   {
@@ -116,14 +204,13 @@ private:
   /// What is not finite is background, as the ring is.
   double LabelAt(Index i, Index j) const
   {
-    constexpr double none = -std::numeric_limits<double>::infinity();
     if (i < 1 || j < 1 || i > this->Plane.SizeU || j > this->Plane.SizeV)
     {
-      return none;
+      return None;
     }
     const double value =
       this->Plane.Values[i - 1 + static_cast<std::size_t>(j - 1) * this->Plane.SizeU];
-    return std::isfinite(value) && value != this->Background ? value : none;
+    return std::isfinite(value) && value != this->Background ? value : None;
   }
 
   const SamplePlane& Plane;
@@ -146,12 +233,7 @@ void Append(
       const Index next = i + 1 < end ? i + 1 : begin;
       to.Contours.U.push_back(p[0]);
       to.Contours.V.push_back(p[1]);
-      Point2 meeting;
-      if (meetings.Find(Between(p, { from.U[next], from.V[next] }, 0.5), meeting))
-      {
-        to.Contours.U.push_back(meeting[0]);
-        to.Contours.V.push_back(meeting[1]);
-      }
+      meetings.AddBetween(label, p, { from.U[next], from.V[next] }, to);
     }
     to.Contours.Offsets.push_back(static_cast<Index>(to.Contours.U.size()));
     to.Labels.push_back(label);
@@ -167,7 +249,9 @@ LabelContours SliceLabels(const SamplePlane& plane, double background,
   for (const auto& label : FindLabels(plane, background))
   {
     const SampleBox& box = label.second;
-    Append(SliceImage(CutOut(plane, label.first, box), 0.5, CutOut(us, box.FirstU, box.LastU),
+    SamplePlane part = CutOut(plane, label.first, box);
+    part.Joined = meetings.FindJoined(label.first, box);
+    Append(SliceImage(part, 0.5, CutOut(us, box.FirstU, box.LastU),
              CutOut(vs, box.FirstV, box.LastV), precision),
       label.first, meetings, contours);
   }

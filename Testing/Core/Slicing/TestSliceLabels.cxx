@@ -79,8 +79,29 @@ std::vector<std::pair<double, double>> VerticesOnLines(const PlaneContours& cont
 }
 }
 
+/// The squares in which a label is on one diagonal and a lesser one, above the background 0, on the
+/// other one, by their lower left samples.
+std::vector<std::size_t> SquaresToJoin(const SamplePlane& plane, double label)
+{
+  std::vector<std::size_t> squares;
+  for (std::size_t i = 0; i + plane.SizeU + 1 < plane.Values.size(); ++i)
+  {
+    const double* lower = plane.Values.data() + i;
+    const double* upper = lower + plane.SizeU;
+    const bool isSquare = (i + 1) % plane.SizeU != 0;
+    const double other = std::min(lower[0], lower[1]);
+    if (isSquare && lower[0] == upper[1] && lower[1] == upper[0] && other > 0.0 && other < label &&
+      std::max(lower[0], lower[1]) == label)
+    {
+      squares.push_back(i);
+    }
+  }
+  return squares;
+}
+
 /// Whatever the others are, a label's contours are those of an image that has no others, but for
-/// vertices in which labels meet.
+/// vertices in which labels meet, and for squares in which it is joined between those of a lesser
+/// one.
 TEST(SliceLabels, EachLabelAsIfThereWereNoOther)
 {
   const SamplePlane plane = RandomLabels(9, 7, 4, 5);
@@ -93,6 +114,7 @@ TEST(SliceLabels, EachLabelAsIfThereWereNoOther)
     {
       value = value == label ? 1.0 : 0.0;
     }
+    alone.Joined = SquaresToJoin(plane, label);
     const PlaneContours expected =
       SliceImage(alone, 0.5, Coordinates(9), Coordinates(7), Precision::Double);
     for (Index i = 0; i < expected.Count(); ++i, ++found)
@@ -137,6 +159,50 @@ TEST(SliceLabels, LabelsMeetInOneVertex)
   EXPECT_EQ(VerticesOf(two, 2.0).count(middle), 1u);
   EXPECT_EQ(VerticesOf(Slice(SamplePlane{ 2, 2, { 1, 2, 1, 2 } }), 1.0).count(middle), 0u);
   EXPECT_EQ(VerticesOf(Slice(SamplePlane{ 2, 2, { 1, 2, 3, 1 } }), 2.0).count(middle), 0u);
+}
+
+namespace
+{
+/// Twice the area within all contours.
+double TwiceAreaOf(const PlaneContours& contours)
+{
+  double area = 0.0;
+  for (Index contour = 0; contour < contours.Count(); ++contour)
+  {
+    const Index begin = contours.Offsets[contour], end = contours.Offsets[contour + 1];
+    for (Index i = begin; i < end; ++i)
+    {
+      const Index next = i + 1 < end ? i + 1 : begin;
+      area += contours.U[i] * contours.V[next] - contours.U[next] * contours.V[i];
+    }
+  }
+  return area;
+}
+}
+
+/// Labels that meet across the diagonals of squares leave nothing between them.
+TEST(SliceLabels, NothingIsLeftBetweenDiagonals)
+{
+  SamplePlane plane = RandomLabels(40, 30, 5, 7);
+  for (std::size_t i = 0; i < plane.Values.size(); ++i)
+  {
+    const bool isOnBorder = i < 40 || i >= 29 * 40 || i % 40 == 0 || i % 40 == 39;
+    plane.Values[i] = isOnBorder ? 1.0 : plane.Values[i] + 1.0; // no background
+  }
+  const double all = TwiceAreaOf(Slice(plane).Contours);
+  SamplePlane one = plane;
+  std::fill(one.Values.begin(), one.Values.end(), 1.0);
+  EXPECT_NEAR(all, TwiceAreaOf(Slice(one).Contours), 1e-9 * all);
+}
+
+/// Of two labels on both diagonals of a square, the greater one is joined.
+TEST(SliceLabels, OneOfTwoLabelsIsJoinedOnDiagonals)
+{
+  const LabelContours two = Slice(SamplePlane{ 2, 2, { 1, 2, 2, 1 } });
+  EXPECT_EQ(std::count(two.Labels.begin(), two.Labels.end(), 1.0), 2);
+  EXPECT_EQ(std::count(two.Labels.begin(), two.Labels.end(), 2.0), 1);
+  const LabelContours withBackground = Slice(SamplePlane{ 2, 2, { 0, 2, 2, 0 } });
+  EXPECT_EQ(std::count(withBackground.Labels.begin(), withBackground.Labels.end(), 2.0), 2);
 }
 
 TEST(SliceLabels, BackgroundAndWhatIsNotFiniteHaveNoContours)
