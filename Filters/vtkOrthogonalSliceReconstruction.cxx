@@ -7,6 +7,7 @@
 #include "Bridge/CarryFieldData.h"
 #include "Bridge/CompareOthers.h"
 #include "Bridge/CutAtBorder.h"
+#include "Bridge/DescribeInputs.h"
 #include "Bridge/DescribeLabels.h"
 #include "Bridge/DescribeProblems.h"
 #include "Bridge/DescribeReport.h"
@@ -212,6 +213,7 @@ bool vtkOrthogonalSliceReconstruction::ReconstructAll(orthoslices::SortedSlices&
     this, ProgressBeforeSurface, 1.0 - ProgressBeforeSurface);
   const bool done = this->WriteResult(
     std::move(result), others, options, [outputs]() { return outputs; }, text);
+  text += orthoslices::DescribeInputs(this->ListInputs());
   if (!done)
   {
     vtkErrorMacro(<< text);
@@ -258,7 +260,8 @@ bool vtkOrthogonalSliceReconstruction::WriteLabels(orthoslices::LabelSurfaces&& 
 {
   orthoslices::LabelOutputs appended(labels, outputs);
   std::ostringstream refused, report;
-  report << orthoslices::DescribeOverlaps(surfaces.Overlaps, labels)
+  report << orthoslices::DescribeInputs(this->ListInputs())
+         << orthoslices::DescribeOverlaps(surfaces.Overlaps, labels)
          << orthoslices::DescribeLosses(surfaces.Losses, labels);
   bool any = false;
   const double share = (1.0 - ProgressBeforeSurface) / labels.Count();

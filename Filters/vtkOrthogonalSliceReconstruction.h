@@ -156,9 +156,9 @@
  * "PlaneCoordinate", "NodePoints", "RmsDisagreement", "MaxDisagreement" as above; of the repairs
  * "OverruledVertices" (kind 3) and "SnippedCrossings" (two for each of kind 4) (vtkIdType); and
  * "ShiftX", "ShiftY", "ShiftZ" (double): the translation within its plane that would bring the
- * slice closest to the others. A slice that was moved as a whole shows here. "SliceName" (string) is
- * axis and coordinate in words, "y = 0.25". Only where there are
- * virtual slices, "Virtual" (unsigned char) is 1 for them; these agree with nothing.
+ * slice closest to the others. A slice that was moved as a whole shows here. "SliceName" (string)
+ * is axis and coordinate in words, "y = 0.25". Only where there are virtual slices, "Virtual"
+ * (unsigned char) is 1 for them; these agree with nothing.
  *
  * Port 5, the undecided places (vtkTable), one row each: "X", "Y", "Z" (double): where; "Kind"
  * (int): 0 two cycles that are the ends of a tube or ends of their own, 1 an isolated contour and
@@ -200,13 +200,13 @@
  * hundredth of the spacing, the surfaces have the same triangles, and where they do not cross, no
  * triangles of two labels do; Filters/Core/README.md says what is left. Labels whose contours
  * overlap keep them, and a warning names those that overlap most. Ports 0 and 1 have the cell data
- * "Label", of the type of the input's array; names stand as their number (int) in the field data
- * "LabelNames" (vtkStringArray) of port 0. The tables of ports 2 to 7 have a first column "Label",
- * the number or the name. "ComponentId" runs on from label to label, field data that count are of
- * all labels together, "SlicePlane" and "GridCell" count the planes of the label, with those of its
- * neighbours next to it. Port 0 also has the field data "LabelNames" (of numbers their text),
- * "LabelArea" and "LabelVolume" (double), one value for each label. Fractions of a diagonal are
- * those of the box around the contours of a label.
+ * "Label" (on port 0, active scalars), of the type of the input's array; names stand as their
+ * number (int) in the field data "LabelNames" (vtkStringArray) of port 0. The tables of ports 2 to
+ * 7 have a first column "Label", the number or the name. "ComponentId" runs on from label to label,
+ * field data that count are of all labels together, "SlicePlane" and "GridCell" count the planes of
+ * the label, with those of its neighbours next to it. Port 0 also has the field data "LabelNames"
+ * (of numbers their text), "LabelArea" and "LabelVolume" (double), one value for each label.
+ * Fractions of a diagonal are those of the box around the contours of a label.
  *
  * 0 is a label like any other (vtkOrthogonalSlicer takes it for the background of an image of
  * labels, and makes no contours of it). Contours without a label (of an input that lacks the array,
@@ -242,11 +242,11 @@
  * are left out. So are contours that cross themselves or each other within one slice
  * (CrossingContours); by default one warning counts them, and LoopRule says what they bound. Where
  * the families contradict each other by more than ReportTolerance, one warning says so, and the
- * "Disagreement" array shows where. It also tells of contours that take no part in the surface, of
- * a surface that is inside out, of ExpectedComponents and ExpectedGenus that cannot be met, and of
- * undecided places where the odds are near even and that matter: both parts are at least as wide as
- * the planes are apart, or remain in different components. All other undecided places are in the
- * table only.
+ * "Disagreement" array shows where. It also tells of inputs that are points alone or look like the
+ * surface of a model, of contours that take no part in the surface, of a surface that is inside
+ * out, of ExpectedComponents and ExpectedGenus that cannot be met, and of undecided places where
+ * the odds are near even and that matter: both parts are at least as wide as the planes are apart,
+ * or remain in different components. All other undecided places are in the table only.
  *
  * @sa vtkOrthogonalSlicer vtkRuledSurfaceFilter vtkCutter
  */

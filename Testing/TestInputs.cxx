@@ -156,6 +156,42 @@ TEST(Inputs, WrongPortsGiveTheSameSurface)
 }
 
 //----------------------------------------------------------------------------
+TEST(Inputs, WhatIsNoContoursIsNamedOnce)
+{
+  vtkNew<vtkSphereSource> model;
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputConnection(model->GetOutputPort());
+  slicer->SetNumberOfSlices(7, 7, 7);
+  vtkNew<vtkPolyData> points, empty;
+  model->Update();
+  points->SetPoints(model->GetOutput()->GetPoints());
+  const struct
+  {
+    vtkDataObject* Input; ///< of the y-slices; null leaves it to the slicer
+    const char* Warning;
+  } cases[] = { { nullptr, nullptr }, { empty, nullptr },
+    { points, "The y-slices (port 1) are 50 points without lines or polygons" },
+    { model->GetOutput(), "The y-slices (port 1) look like the surface of a model" } };
+  for (const auto& input : cases)
+  {
+    SCOPED_TRACE(input.Warning ? input.Warning : "none");
+    FilterRun run;
+    for (int port = 0; port < 3; ++port)
+    {
+      run.Filter->SetInputConnection(port, slicer->GetOutputPort(port));
+    }
+    if (input.Input)
+    {
+      run.Filter->SetInputData(1, input.Input);
+    }
+    EXPECT_GT(run.Update()->GetNumberOfCells(), 0);
+    EXPECT_TRUE(run.Errors.empty());
+    ASSERT_EQ(run.Warnings.size(), input.Warning ? 1u : 0u);
+    EXPECT_TRUE(!input.Warning || run.Warnings[0].find(input.Warning) != std::string::npos);
+  }
+}
+
+//----------------------------------------------------------------------------
 TEST(Inputs, CompositeInputsAreTheSumOfTheirBlocks)
 {
   vtkNew<vtkMultiBlockDataSet> blocks, nested;

@@ -14,6 +14,7 @@
 #   thin.png            a neuron thinner than the slices are apart, by discs and by evidence
 #   sparse.png          one stack, a stack with slices across, two families, with virtual slices and
 #                       without
+#   gallery.png         the surfaces of all data sets
 
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -54,4 +55,6 @@ draw pvpython Plugin/Examples/ThinParts.py Data/neuron/n16_{x,y,z}.vtp "$picture
 echo "-- $pictures/sparse.png"
 draw pvpython Plugin/Examples/SparseSlices.py Data/heart/truth.vtp "$pictures/sparse.png" \
   "$plugin" 1200
+echo "-- $pictures/gallery.png"
+draw pvpython Plugin/Examples/Gallery.py Data "$pictures/gallery.png" "$plugin"
 ls -l "$pictures"

@@ -79,6 +79,8 @@ def make_packages(build, folder):
     assert "libvtkFiltersOrthogonalSlices" in control and "activate-noawait ldconfig" in control
     examples = output_of("dpkg-deb", "-c", files["python"])
     assert "Examples/ReconstructAny.py" in examples and "heart/n32_x.vtp" in examples, examples
+    plugin = output_of("dpkg-deb", "-c", files["plugin"])
+    assert "Macros/Inspect Slices.py" in plugin, plugin
     return files
 
 

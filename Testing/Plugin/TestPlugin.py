@@ -314,6 +314,37 @@ def check_image():
     check_closed(fetch(reconstruct_sliced(slicer)), components=1)
 
 
+RECTILINEAR = """
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
+line = numpy.linspace(-1.0, 1.0, 21) * (0.5 + 0.5 * numpy.abs(numpy.linspace(-1.0, 1.0, 21)))
+output.SetDimensions(21, 21, 21)
+for name in "XYZ":
+    getattr(output, f"Set{name}Coordinates")(numpy_to_vtk(line, deep=True))
+z, y, x = numpy.meshgrid(line, line, line, indexing="ij")
+for name, values in (("Inside", 0.5 - x * x - y * y - z * z), ("Height", z)):
+    array = numpy_to_vtk(values.ravel(), deep=True)
+    array.SetName(name)
+    output.GetPointData().AddArray(array)
+output.GetPointData().SetActiveScalars("Inside")
+"""
+
+
+def check_rectilinear():
+    """A rectilinear grid is an input like an image, with its scalars; what points carry is passed on."""
+    source = simple.ProgrammableSource(
+        OutputDataSetType="vtkRectilinearGrid", Script=RECTILINEAR, ScriptRequestInformation=(
+            "executive = self.GetExecutive()\n"
+            "executive.GetOutputInformation(0).Set(executive.WHOLE_EXTENT(), 0, 20, 0, 20, 0, 20, )"))
+    source.UpdatePipeline()
+    slicer = simple.OrthogonalSlicer(Input=source, Scalars=["POINTS", "Inside"], IsoValue=0.0)
+    check(slicer.SMProxy.GetProperty("Input").IsInDomains() == 1, "a rectilinear grid is no input")
+    check_closed(fetch(reconstruct_sliced(slicer)), components=1)
+    height = fetch(slicer, 2).GetPointData().GetArray("Height")
+    # The highest plane of samples that the ball of radius 0.707 reaches.
+    check(height is not None and abs(height.GetRange()[1] - 0.595) < 1e-3, "no heights on the contours")
+
+
 def check_labels():
     """One surface for each label of an image, by the array that the panel lists."""
     labels = simple.Calculator(Input=simple.Wavelet(), ResultArrayName="Label",
@@ -332,6 +363,8 @@ def check_labels():
     surface = fetch(rec)
     check_closed(surface, components=2)
     check(surface.GetCellData().GetArray("Label").GetRange() == (2.0, 5.0), "other labels")
+    colored = surface.GetCellData().GetScalars()
+    check(colored is not None and colored.GetName() == "Label", "ParaView does not color by labels")
     table = fetch(rec, 7)
     check(table.GetNumberOfRows() == 2, f"{table.GetNumberOfRows()} components in the table")
     volume = sum(table.GetColumnByName("Volume").GetValue(row) for row in range(2))
@@ -358,6 +391,7 @@ def main(plugin, data):
     check_image()
     check_labels()
     check_heart(data)
+    check_rectilinear()  # last, as ParaView's programmable sources put names of NumPy in place of ours
     print("plugin: all checks passed")
 
 
