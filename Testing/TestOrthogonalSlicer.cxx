@@ -859,8 +859,11 @@ TEST(OrthogonalSlicer, PointDataAreInterpolated)
   sphere->SetPhiResolution(20);
   sphere->Update();
   AddLinear(sphere->GetOutput());
-  vtkNew<vtkDelaunay3D> solid;
-  solid->SetInputData(sphere->GetOutput());
+  vtkNew<vtkImageData> voxels;
+  voxels->SetDimensions(9, 9, 9);
+  AddLinear(voxels);
+  vtkNew<vtkAppendFilter> solid; // an unstructured grid
+  solid->SetInputData(voxels);
   solid->Update();
   vtkDataSet* const inputs[] = { sphere->GetOutput(), solid->GetOutput() };
   for (vtkDataSet* input : inputs)
