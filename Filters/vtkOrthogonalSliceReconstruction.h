@@ -789,7 +789,8 @@ public:
   ///@{
   /**
    * Length of contour over which noise is smoothed out, in plane spacings. Default 0: the surface
-   * passes through the contours as they are. Range 0 to 10; about as long as the noise is coarse.
+   * passes through the contours as they are. Range 0 to 10; about as long as the noise is coarse,
+   * and for the steps of outlines of pixels four to six pixels.
    */
   vtkSetClampMacro(Smoothing, double, 0.0, 10.0);
   vtkGetMacro(Smoothing, double);

@@ -64,28 +64,56 @@ double ContourCurve::FindNoise(double window) const
   return *middle;
 }
 
+/// The least turn of a corner: directions are as uncertain as noise makes them.
+double LeastTurn(double reach, double noise, double angle)
+{
+  constexpr double certainty = 3.0; // times the deviation of a direction
+  return angle + certainty * 2.0 * noise / reach;
+}
+
+/// By how much the directions to and from a point differ (radians).
+double ContourCurve::TurnAt(Index i, double reach) const
+{
+  const Point2 to = this->Reach(i, reach, false), from = this->Reach(i, reach, true);
+  return std::abs(
+    std::atan2(from[0] * to[1] - from[1] * to[0], -from[0] * to[0] - from[1] * to[1]));
+}
+
 void ContourCurve::FindCorners(double spacing, double noise, double angle)
 {
   constexpr double minReach = 0.12;   // of the spacing
   constexpr double noiseReach = 10.0; // the directions are then known to some ten degrees
-  constexpr double certainty = 3.0;   // times the deviation of a direction
   const double reach = std::max(minReach * spacing, noiseReach * noise);
-  const double minimum = angle + certainty * 2.0 * noise / reach;
-  this->Corners.clear();
+  this->Corners.assign(this->Points.size(), 1);
+  this->MarkCorners(reach, LeastTurn(reach, noise, angle));
+}
+
+void ContourCurve::KeepCorners(double reach, double noise, double angle)
+{
+  if (this->HasCorners())
+  {
+    this->MarkCorners(reach, LeastTurn(reach, noise, angle));
+  }
+}
+
+/// Of the points that are marked, leaves the sharpest ones that turn by more than that.
+void ContourCurve::MarkCorners(double reach, double minimum)
+{
   std::vector<double> turns(this->Points.size(), 0.0);
   bool any = false;
   for (Index i = 0; i < this->Count(); ++i)
   {
-    const Point2 to = this->Reach(i, reach, false), from = this->Reach(i, reach, true);
-    const double turn =
-      std::abs(std::atan2(from[0] * to[1] - from[1] * to[0], -from[0] * to[0] - from[1] * to[1]));
+    const double turn = this->IsCorner(i) ? this->TurnAt(i, reach) : 0.0;
     turns[i] = turn > minimum ? turn : 0.0;
     any |= turn > minimum;
   }
   if (any)
   {
-    this->Corners.assign(this->Points.size(), 0);
     this->MarkSharpest(turns, reach);
+  }
+  else
+  {
+    this->Corners.clear();
   }
 }
 

@@ -37,6 +37,9 @@ public:
    * planes at least.
    */
   void FindCorners(double spacing, double noise, double angle);
+  /// Of the corners, leaves those that are corners at that distance, too: of the steps of an outline
+  /// of pixels, those where the object itself turns.
+  void KeepCorners(double reach, double noise, double angle);
   bool IsCorner(Index i) const { return !this->Corners.empty() && this->Corners[i] != 0; }
   /// From a point to the first one, forwards or backwards, that is at least `reach` away; after a
   /// third of the points, to the next one.
@@ -59,6 +62,8 @@ public:
   Fit FitAt(Index i, double window) const;
 
 private:
+  double TurnAt(Index i, double reach) const;
+  void MarkCorners(double reach, double minimum);
   void MarkSharpest(const std::vector<double>& turns, double reach);
   struct Moments;
   double Step(Index i) const { return this->Lengths[i + 1] - this->Lengths[i]; }

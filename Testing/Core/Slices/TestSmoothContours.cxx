@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -176,6 +177,89 @@ TEST(SmoothContours, CornersOfASquareStay)
     EXPECT_NEAR(smooth[i][1], square[i][1], 1e-6);
     EXPECT_TRUE(i % 20 != 0 || smooth[i] == square[i]);
   }
+}
+
+//----------------------------------------------------------------------------
+namespace
+{
+/// The outline of the pixels, of that size, of which the centres are within; it has one part. Only
+/// corners are vertices.
+std::vector<std::array<double, 2>> OutlineOfPixels(
+  double size, const std::function<bool(double, double)>& isWithin)
+{
+  const auto isIn = [&](int i, int j) { return isWithin((i + 0.5) * size, (j + 0.5) * size); };
+  constexpr int steps[4][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
+  int i = 0, j = 0, direction = 0;
+  for (j = 0; !isIn(i, j); i = i < 1000 ? i + 1 : 0, j += i == 0 ? 1 : 0)
+  {
+  }
+  const int first[2] = { i, j };
+  std::vector<std::array<double, 2>> outline;
+  do
+  {
+    // The pixel to the left is within, the one to the right is not.
+    const int* d = steps[direction];
+    i += d[0];
+    j += d[1];
+    const int left[2] = { i + (d[0] - d[1] - 1) / 2, j + (d[0] + d[1] - 1) / 2 };
+    const int right[2] = { i + (d[0] + d[1] - 1) / 2, j + (d[1] - d[0] - 1) / 2 };
+    const int turn = !isIn(left[0], left[1]) ? 1 : isIn(right[0], right[1]) ? 3 : 0;
+    direction = (direction + turn) % 4;
+    if (turn != 0)
+    {
+      outline.push_back({ i * size, j * size });
+    }
+  } while (i != first[0] || j != first[1]);
+  return outline;
+}
+}
+
+TEST(SmoothContours, StepsOfPixelsAreNoCorners)
+{
+  const double size = 0.1;
+  double before = 1.0;
+  for (const double length : { 0.2, 0.4 })
+  {
+    Drawing drawing({ OutlineOfPixels(
+      size, [](double x, double y) { return std::hypot(x - 1.0, y - 1.0) < 1.0; }) });
+    const double raw = ErrorOf(drawing.Last());
+    EXPECT_GT(raw, 0.3 * size);
+    drawing.Smooth(length);
+    const double left = ErrorOf(drawing.Last()) / raw;
+    EXPECT_LT(left, 0.8 * before) << length;
+    before = left;
+  }
+  EXPECT_LT(before, 0.35);
+}
+
+//----------------------------------------------------------------------------
+/// A square on its corner: its sides are steps, and it has four corners that stay.
+TEST(SmoothContours, CornersBetweenStepsStay)
+{
+  const double size = 0.1;
+  Drawing drawing({ OutlineOfPixels(
+    size, [](double x, double y) { return std::abs(x - 1.0) + std::abs(y - 1.0) < 0.96; }) });
+  drawing.Smooth(0.5);
+  double farthest[2] = { 0.0, 0.0 };
+  for (const auto& p : drawing.Last())
+  {
+    const double x = std::abs(p[0] - 1.0), y = std::abs(p[1] - 1.0);
+    farthest[0] = std::max(farthest[0], x);
+    farthest[1] = std::max(farthest[1], y);
+    EXPECT_LT(std::abs(x + y - 0.96), size);
+  }
+  EXPECT_GT(farthest[0], 0.85);
+  EXPECT_GT(farthest[1], 0.85);
+}
+
+//----------------------------------------------------------------------------
+TEST(SmoothContours, HardlyAnyLengthTakesNoMemory)
+{
+  Drawing drawing({ Circle(50, 0.1, 1) });
+  const auto before = drawing.Last();
+  drawing.Smooth(1e-12);
+  EXPECT_LE(drawing.Last().size(), 100 * before.size());
+  EXPECT_NEAR(ErrorOf(drawing.Last()), ErrorOf(before), 0.02);
 }
 
 //----------------------------------------------------------------------------
