@@ -5,10 +5,13 @@
 #include "Core/Base/EditContours.h"
 #include "Core/Labels/CommonLines.h"
 #include "Core/Labels/InsertedContours.h"
+#include "Core/Labels/MissingLabels.h"
 #include "Core/Labels/NestedRegions.h"
+#include "Core/Labels/SliceMembers.h"
 #include "Core/MakeSurface.h"
 #include "Core/RealSlices.h"
 #include "Core/Slices/EmptyPlanes.h"
+#include "Core/Sparse/InterpolatePolygon.h"
 
 #include <algorithm>
 #include <iterator>
@@ -18,10 +21,6 @@ namespace orthoslices
 {
 namespace
 {
-/// A label that is lacking on more of the planes of an axis that it passes through is taken at its
-/// word there.
-constexpr double MostLacking = 0.5;
-
 /// Flags the contours on some planes as virtual.
 void FlagVirtual(const VirtualPlanes& planes, Contours& contours)
 {
@@ -89,6 +88,37 @@ void LabelRunner::RemoveInserted()
       }
     }
     RemoveMarked(marked[i], contours);
+  }
+}
+
+/// Adds the contours of labels that slices lack where nothing else is drawn. Such slices give way to
+/// those across.
+void LabelRunner::AddMissing()
+{
+  if (!this->Settings.InsertMissing || this->IsAnyInsideOut())
+  {
+    return;
+  }
+  const std::vector<Contours*> labels = this->ListContours();
+  const std::vector<Contours> found =
+    FindMissingLabels({ labels.begin(), labels.end() }, this->Execute);
+  const std::vector<Index> numbers = this->ListRead();
+  for (std::size_t i = 0; i < labels.size(); ++i)
+  {
+    for (Index contour = 0; contour < found[i].Count(); ++contour)
+    {
+      const int axis = found[i].Axis[contour];
+      const std::vector<Point2> polygon = PolygonOf(found[i], contour);
+      const Point2 middle = MiddleOf(polygon);
+      Point3 where;
+      where[FirstAxis(axis)] = middle[0];
+      where[SecondAxis(axis)] = middle[1];
+      where[axis] = found[i].Coordinate[contour];
+      this->Passes[numbers[i]].Stages.Inserted.push_back(
+        { RepairKind::ContourInserted, axis, 0, where, LengthOf(polygon) });
+      this->Filled[axis].insert(where[axis]);
+    }
+    AppendContours(found[i], *labels[i]);
   }
 }
 
@@ -271,6 +301,10 @@ bool LabelRunner::RedrawEach()
 bool LabelRunner::AgreeOnSlices()
 {
   VirtualPlanes lacking;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lacking[axis].assign(this->Filled[axis].begin(), this->Filled[axis].end());
+  }
   for (LabelPass& pass : this->Passes)
   {
     pass.SetProgress(ProgressOfReading, ProgressOfReading, 0, 1);
