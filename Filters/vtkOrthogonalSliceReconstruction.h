@@ -563,8 +563,9 @@ public:
   /**
    * Whether a contour is interpolated on a slice that lacks it: where those of the slices before
    * and after it overlap, do not shrink towards it and have no other one to continue, while other
-   * contours are drawn on the slice. A warning says how many there are, and on which slices.
-   * Default: on.
+   * contours are drawn on the slice; with LabelArray also for a label that the slice lacks, up to
+   * the borders that other labels have there, if it is left empty. A warning says how many there
+   * are, and on which slices. Default: on.
    */
   vtkSetMacro(InsertMissingContours, bool);
   vtkGetMacro(InsertMissingContours, bool);

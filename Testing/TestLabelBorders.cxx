@@ -512,3 +512,67 @@ TEST(LabelBorders, SliversAreNoHolesOfAllLabels)
   EXPECT_EQ(borders.Crossings, 0);
   EXPECT_LT(borders.Gap, 0.006); // most of it is beside the outermost of the shifted slices
 }
+
+namespace
+{
+/// Slices without the contours of a label on every so many of them, of all axes.
+vtkSmartPointer<vtkPolyData> WithoutLabel(int axis, double label, int period, vtkPolyData* slices)
+{
+  std::map<double, int> numbers; // of slices, by their coordinates
+  for (vtkIdType i = 0; i < slices->GetNumberOfPoints(); ++i)
+  {
+    numbers[slices->GetPoint(i)[axis]] = 0;
+  }
+  int next = 0;
+  for (auto& number : numbers)
+  {
+    number.second = next++;
+  }
+  auto left = vtkSmartPointer<vtkPolyData>::New();
+  left->SetPoints(slices->GetPoints());
+  left->SetLines(vtkSmartPointer<vtkCellArray>::New());
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("Label");
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < slices->GetNumberOfCells(); ++i)
+  {
+    slices->GetCellPoints(i, ids);
+    const double of = slices->GetCellData()->GetArray("Label")->GetTuple1(i);
+    if (of != label || numbers[slices->GetPoint(ids->GetId(0))[axis]] % period != period / 2)
+    {
+      left->GetLines()->InsertNextCell(ids);
+      labels->InsertNextValue(static_cast<int>(of));
+    }
+  }
+  left->GetCellData()->AddArray(labels);
+  return left;
+}
+}
+
+/// Slices that cross each other may lack the same label: it has no tunnel there, and a warning says
+/// so.
+TEST(LabelBorders, LabelsThatSlicesLackAreFilledIn)
+{
+  const LabelImage image = DivideBall(Five());
+  const double volume = Reconstruct(image, { 16, 16, 16 }).Volume;
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(ToVtk(image));
+  slicer->EveryLabelOn();
+  slicer->SetNumberOfSlices(16, 16, 16);
+  slicer->Update();
+  FilterRun run;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    run.Filter->SetInputData(axis, WithoutLabel(axis, 1.0, 5, slicer->GetOutput(axis)));
+  }
+  run.Filter->SetLabelArray("Label");
+  run.Filter->AutomaticAccuracyOff();
+  const Borders borders(run.Update());
+  EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
+  EXPECT_EQ(borders.Crossings, 0);
+  EXPECT_LT(borders.Gap, 0.002);
+  EXPECT_NEAR(borders.Volume, volume, 0.004 * volume);
+  ASSERT_EQ(run.Warnings.size(), 1u);
+  EXPECT_NE(run.Warnings[0].find("contours seem to be missing"), std::string::npos)
+    << run.Warnings[0];
+}

@@ -4,7 +4,7 @@
 
 #include "Core/Base/EditContours.h"
 #include "Core/Labels/CommonLines.h"
-#include "Core/Labels/InsertedContours.h"
+#include "Core/Labels/MissingLabels.h"
 #include "Core/Labels/NestedRegions.h"
 #include "Core/MakeSurface.h"
 #include "Core/RealSlices.h"
@@ -18,10 +18,6 @@ namespace orthoslices
 {
 namespace
 {
-/// A label that is lacking on more of the planes of an axis that it passes through is taken at its
-/// word there.
-constexpr double MostLacking = 0.5;
-
 /// Flags the contours on some planes as virtual.
 void FlagVirtual(const VirtualPlanes& planes, Contours& contours)
 {
@@ -63,33 +59,6 @@ void AddAllPlanes(const VirtualPlanes& planes, const VirtualPlanes& ofVirtual, C
       static_cast<Index>(grid.Slab(contours.Axis[contour], contours.Coordinate[contour]) - 1);
   }
 }
-}
-
-/// Takes out contours that were inserted for a label where other labels are drawn.
-void LabelRunner::RemoveInserted()
-{
-  const std::vector<Contours*> labels = this->ListContours();
-  const auto marked =
-    FindContradictedInsertions(this->Thickness(), { labels.begin(), labels.end() }, this->Execute);
-  const std::vector<Index> numbers = this->ListRead();
-  for (std::size_t i = 0; i < labels.size(); ++i)
-  {
-    Contours& contours = *labels[i];
-    std::vector<Repair>& repairs = this->Passes[numbers[i]].Stages.Inserted;
-    for (Index contour = 0; contour < contours.Count(); ++contour)
-    {
-      const auto isOfSlice = [&](const Repair& repair)
-      {
-        return repair.Axis == contours.Axis[contour] &&
-          repair.Where[repair.Axis] == contours.Coordinate[contour];
-      };
-      if (marked[i][contour] != 0)
-      {
-        repairs.erase(std::remove_if(repairs.begin(), repairs.end(), isOfSlice), repairs.end());
-      }
-    }
-    RemoveMarked(marked[i], contours);
-  }
 }
 
 /// The planes through which a label passes without being drawn there, but for axes on which it
@@ -271,6 +240,10 @@ bool LabelRunner::RedrawEach()
 bool LabelRunner::AgreeOnSlices()
 {
   VirtualPlanes lacking;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lacking[axis].assign(this->Filled[axis].begin(), this->Filled[axis].end());
+  }
   for (LabelPass& pass : this->Passes)
   {
     pass.SetProgress(ProgressOfReading, ProgressOfReading, 0, 1);

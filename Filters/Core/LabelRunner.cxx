@@ -142,6 +142,7 @@ std::vector<Contours*> LabelRunner::ListContours()
 void LabelRunner::ShareContours()
 {
   this->RemoveInserted();
+  this->AddMissing();
   this->Borders = ShareBorders(this->Thickness(), {}, this->Execute, this->ListContours());
   this->Junctions = RoundAll(this->Borders.Junctions, this->Settings.Quantum);
   this->BuildGrids();

@@ -76,6 +76,7 @@ private:
   std::vector<Contours*> ListContours();
   bool IsAnyInsideOut() const;
   void RemoveInserted();
+  void AddMissing();
   void ShareContours();
   void BuildGrids();
   bool FindLacking(const LabelPass& label, VirtualPlanes& lacking) const;
@@ -114,6 +115,7 @@ private:
   SharedBorders Borders;
   std::set<Point3> Junctions;
   std::array<std::vector<double>, 3> Planes; ///< of all labels
+  std::array<std::set<double>, 3> Filled;    ///< planes with contours of labels that were lacking
 };
 }
 
