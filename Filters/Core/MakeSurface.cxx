@@ -187,7 +187,8 @@ double DisagreementOf(const Reconstruction& result)
 
 /// As accurate as asked for, in spacings, but not much more than the slices are; 0 for all
 /// triangles.
-double AccuracyOf(const PatchOptions& patching, const Reconstruction& result)
+double AccuracyOf(
+  const PatchOptions& patching, const Reconstruction& result, const Execution& execution)
 {
   if (!GivesNormals(patching.Method) || !(patching.OwnAccuracy || patching.Accuracy > 0.0))
   {
@@ -198,9 +199,9 @@ double AccuracyOf(const PatchOptions& patching, const Reconstruction& result)
   if (!(accuracy > 0.0))
   {
     const CycleGeometry geometry = GeometryOf(result);
-    const double error = FitError({ geometry, result.Cells, result.Normals,
-                           result.Surface.CentralPoints, result.Surface.Meshes }) /
-      spacing;
+    const PatchTables tables{ geometry, result.Cells, result.Normals, result.Surface.CentralPoints,
+      result.Surface.Meshes };
+    const double error = FitError(tables, execution) / spacing;
     accuracy =
       std::max(LeastAccuracy, std::min(AccuracyByError * error, AccuracyByRoot * std::sqrt(error)));
   }
@@ -294,7 +295,7 @@ bool FillCycles(const PatchOptions& options, Pass& pass)
   PatchOptions patching = options;
   patching.Part = pass.Result.Part ? &*pass.Result.Part : nullptr;
   FindNormals(patching, pass);
-  patching.Accuracy = AccuracyOf(options, pass.Result);
+  patching.Accuracy = AccuracyOf(options, pass.Result, pass.Execute);
   pass.Result.Accuracy = options.KeepContours ? 0.0 : patching.Accuracy;
   LayOutPatches(patching, DrawOutlines(patching.Accuracy, pass), pass);
   ImproveIfLight(patching.Accuracy, pass);
@@ -311,7 +312,7 @@ bool FillTogether(const PatchOptions& options, const std::vector<Pass*>& structu
   {
     FindNormals(options, *pass);
     Reconstruction& result = pass->Result;
-    patching.Accuracy = std::min(patching.Accuracy, AccuracyOf(options, result));
+    patching.Accuracy = std::min(patching.Accuracy, AccuracyOf(options, result, pass->Execute));
     geometries.push_back(GeometryOf(result));
     surfaces.push_back({ geometries.back(), result.Cells, result.Surface.Meshes, result.Normals });
   }
