@@ -24,8 +24,8 @@ namespace orthoslices
 namespace
 {
 /// The parts of PatchOptions::Accuracy that arcs with few vertices and better triangles may use up.
-/// What is left is for what they add to each other, and for the worst triangles, which may take one
-/// and a half times as much: so contours are within the accuracy (G4).
+/// What is left is for what they add to each other, and for the worst triangles, which may take
+/// twice as much: so contours are within the accuracy (G4).
 constexpr double ShareOfArcs = 0.2;
 constexpr double ShareOfTriangles = 0.2;
 
