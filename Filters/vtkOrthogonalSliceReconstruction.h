@@ -68,12 +68,13 @@
  *
  * @section Outputs Outputs
  * Port 0, the surface (vtkPolyData): triangles, oriented outwards. Where the slices agree, every
- * vertex of every contour that meets another family is a vertex of the surface (of the contours
- * that Smoothing and ContourTolerance leave); with Accuracy or AutomaticAccuracy, the surface
- * passes within that of each, unless KeepContourVertices is on. Points: first the node points, then
+ * surface passes within its accuracy (field data "Accuracy") of every vertex of every contour that
+ * meets another family (of the contours that Smoothing and ContourTolerance leave). With
+ * KeepContourVertices, or without few triangles (AutomaticAccuracy off, Accuracy 0), every such
+ * vertex is a vertex of the surface. Points: first the node points, then
  * the vertices of the arcs and of the isolated contours, then one for each spatial polygon (of fans
  * the central point, else one of those inside its patch), last the other points inside patches;
- * with Accuracy, those of them that are left.
+ * with few triangles, those of them that are left.
  *  - point data "Normals" (float, 3 components; active normals), if ComputeNormals or
  *    ComputeCurvatures is on: of smooth patches those of the smooth surface, of others the mean of
  *    the triangles around;
@@ -745,8 +746,8 @@ public:
    * each other, within twice what they disagree on (RMS), if that is more. The field data
    * "Accuracy" say what was used. Triangles are as large as that allows; EdgeLength bounds them,
    * in quarters of the mean radius of a patch, and ChordTolerance says nothing. For smooth
-   * patches; on common borders of labels, triangles of both stay the same. Default 0: all contours
-   * keep their vertices. Range 0 to 1.
+   * patches; on common borders of labels, triangles of both stay the same. Default 0: see
+   * AutomaticAccuracy. Range 0 to 1.
    */
   vtkSetClampMacro(Accuracy, double, 0.0, 1.0);
   vtkGetMacro(Accuracy, double);
@@ -756,7 +757,8 @@ public:
   /**
    * Whether the accuracy follows from the surface's own error, as the fit of smooth patches to
    * contours and what slices disagree on tell it: as few triangles as add about a twentieth to that
-   * error. Where Accuracy or ChordTolerance are not 0, these say it. Off by default.
+   * error. Where Accuracy or ChordTolerance are not 0, these say it. On by default; off,
+   * and with Accuracy 0, all contours keep their vertices and the surface has all triangles.
    */
   vtkSetMacro(AutomaticAccuracy, bool);
   vtkGetMacro(AutomaticAccuracy, bool);
@@ -999,7 +1001,7 @@ private:
   double EdgeLength = 0.25;
   double ChordTolerance = 0.0;
   double Accuracy = 0.0;
-  bool AutomaticAccuracy = false;
+  bool AutomaticAccuracy = true;
   bool KeepContourVertices = false;
   double CornerAngle = 60.0;
   double Smoothing = 0.0;

@@ -333,18 +333,21 @@ TEST(Guarantees, G4WithFewTrianglesTheSurfacePassesWithinTheAccuracyOfEveryConto
 //----------------------------------------------------------------------------
 namespace
 {
-void ExpectClosedAndEmbedded(const Input& input)
+void ExpectClosedEmbeddedAndBounded(const Input& input)
 {
   const TriangleMesh mesh = Result(input).Mesh;
   const SurfaceCheck surface = CheckSurface(mesh);
   EXPECT_TRUE(surface.IsClosedManifold()) << surface;
   EXPECT_TRUE(FindMeetings(mesh).empty());
+  SpatialGrid grid;
+  const Contours contours = UsableContours(input.Sets, input.Settings, grid);
+  EXPECT_EQ(DescribeExcess(mesh, contours, false), "");
 }
 
 void CheckFewTriangles(bool keepContours)
 {
   const auto check = [&](const Input& input)
-  { ExpectClosedAndEmbedded(Light(input, keepContours)); };
+  { ExpectClosedEmbeddedAndBounded(Light(input, keepContours)); };
   VisitData(check);
   VisitRandom(RandomContradictoryInput, check);
   if (!keepContours) // takes several times as long
@@ -355,9 +358,9 @@ void CheckFewTriangles(bool keepContours)
 }
 }
 
-TEST(Guarantees, G1ToG3AndG6HoldWithFewTriangles) { CheckFewTriangles(false); }
+TEST(Guarantees, G1ToG3G6AndG7HoldWithFewTriangles) { CheckFewTriangles(false); }
 
-TEST(Guarantees, G1ToG3AndG6HoldWithFewTrianglesThatKeepContours) { CheckFewTriangles(true); }
+TEST(Guarantees, G1ToG3G6AndG7HoldWithFewTrianglesThatKeepContours) { CheckFewTriangles(true); }
 
 //----------------------------------------------------------------------------
 /// Cuts of one surface agree to a millionth of a slab: every vertex is there to the last bit.
@@ -409,6 +412,9 @@ TEST(Guarantees, G5SameForAnyNumberOfThreads)
   VisitData(check);
   VisitRandom(RandomContradictoryInput, check);
   VisitRandom(RandomSparseInput, check);
+  const auto checkLight = [&](const Input& input) { check(Light(input, false)); };
+  VisitData(checkLight);
+  VisitRandom(RandomContradictoryInput, checkLight);
 }
 
 //----------------------------------------------------------------------------
@@ -548,6 +554,10 @@ TEST(Guarantees, G1ToG7HoldInSinglePrecision)
   VisitRandom(RandomConsistentInput, check);
   VisitRandom(RandomContradictoryInput, check);
   VisitRandom(RandomSparseInput, check);
+  const auto checkLight = [&](const Input& input) { check(Light(input, false)); };
+  VisitData(checkLight);
+  VisitRandom(RandomConsistentInput, checkLight);
+  VisitRandom(RandomContradictoryInput, checkLight);
 }
 
 //----------------------------------------------------------------------------

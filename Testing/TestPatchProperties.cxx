@@ -110,7 +110,7 @@ TEST(PatchProperties, DefaultsAndRanges)
   EXPECT_EQ(filter->GetEdgeLength(), 0.25);
   EXPECT_EQ(filter->GetChordTolerance(), 0.0);
   EXPECT_EQ(filter->GetAccuracy(), 0.0);
-  EXPECT_FALSE(filter->GetAutomaticAccuracy());
+  EXPECT_TRUE(filter->GetAutomaticAccuracy());
   EXPECT_FALSE(filter->GetKeepContourVertices());
   EXPECT_EQ(filter->GetCornerAngle(), 60.0);
   EXPECT_EQ(filter->GetSmoothing(), 0.0);
@@ -141,7 +141,7 @@ TEST(PatchProperties, SettersChangeTheTimeAndAreAllPrinted)
     { "EdgeLength: 0.5", [](Filter* f) { f->SetEdgeLength(0.5); } },
     { "ChordTolerance: 0.125", [](Filter* f) { f->SetChordTolerance(0.125); } },
     { "Accuracy: 0.0625", [](Filter* f) { f->SetAccuracy(0.0625); } },
-    { "AutomaticAccuracy: On", [](Filter* f) { f->AutomaticAccuracyOn(); } },
+    { "AutomaticAccuracy: Off", [](Filter* f) { f->AutomaticAccuracyOff(); } },
     { "KeepContourVertices: On", [](Filter* f) { f->KeepContourVerticesOn(); } },
     { "CornerAngle: 45", [](Filter* f) { f->SetCornerAngle(45.0); } },
     { "Smoothing: 0.75", [](Filter* f) { f->SetSmoothing(0.75); } },

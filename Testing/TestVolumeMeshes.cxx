@@ -175,13 +175,6 @@ const DataSet& DataNamed(const std::string& name)
     all.begin(), all.end(), [&](const DataSet& data) { return data.Name == name; });
 }
 
-/// As few triangles as the surface's own error allows.
-void MakeFew(FilterRun& run)
-{
-  run.Filter->AutomaticAccuracyOn();
-  run.Update();
-}
-
 /// A mesh of good tetrahedra by TetGen; false if it fails. Files are named `name`.
 bool MeshWithTetGen(FilterRun& run, const std::string& name)
 {
@@ -200,7 +193,7 @@ TEST(VolumeMeshes, TetGenFillsTheBodyAndLeavesTheCavityOut)
   }
   const Solid solid = HollowBall();
   FilterRun run(SliceSolid(solid, EqualPlanes(solid, { 16, 16, 16 }), 6, InPlaneGrid::Free));
-  MakeFew(run);
+  run.Update();
   ASSERT_EQ(FieldValue(run.Filter->GetOutput(), "NumberOfComponents"), 2);
   const Folder folder;
   ASSERT_TRUE(MeshWithTetGen(run, folder.File("ball")));
@@ -222,7 +215,7 @@ TEST(VolumeMeshes, TetGenFillsShapesOfTheDataFolder)
   {
     SCOPED_TRACE(name);
     FilterRun run(ReadPieceSets(DataNamed(name), 16));
-    MakeFew(run);
+    run.Update();
     const Folder folder;
     ASSERT_TRUE(MeshWithTetGen(run, folder.File(name)));
     double sum = 0.0;
@@ -243,7 +236,7 @@ TEST(VolumeMeshes, GmshFillsTheHeart)
     GTEST_SKIP() << "gmsh was not found";
   }
   FilterRun run(ReadPieceSets(DataNamed("heart"), 16));
-  MakeFew(run);
+  run.Update();
   const Folder folder;
   WriteStl(MeshOf(run.Filter->GetOutput()), folder.File("heart.stl"));
   std::ofstream(folder.File("heart.geo"))

@@ -283,9 +283,11 @@ TEST(AxisWeights, ContoursOfTheTrustedAxisStayWhereTheyAre)
 //----------------------------------------------------------------------------
 TEST(AxisWeights, HeavierSideDecidesOnAGridVertex)
 {
-  // The origin is inside for the x- and the y-slice, outside for the z-slice.
+  // The origin is inside for the x- and the y-slice, outside for the z-slice. The surface passes it
+  // closely, with all triangles on the side that is asked for.
   FilterRun run(ParsePieces("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1\n"
                             "z=0: 0.2,0.2 0.8,0.2 0.8,0.8 0.2,0.8"));
+  run.Filter->AutomaticAccuracyOff();
   const struct
   {
     std::array<double, 3> Weights;

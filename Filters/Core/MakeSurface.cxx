@@ -24,8 +24,8 @@ namespace orthoslices
 namespace
 {
 /// The parts of PatchOptions::Accuracy that arcs with few vertices and better triangles may use up.
-/// What is left is for what they add to each other, and for the worst triangles, which may take one
-/// and a half times as much: so contours are within the accuracy (G4).
+/// What is left is for what they add to each other, and for the worst triangles, which may take
+/// twice as much: so contours are within the accuracy (G4).
 constexpr double ShareOfArcs = 0.2;
 constexpr double ShareOfTriangles = 0.2;
 
@@ -188,7 +188,8 @@ double DisagreementOf(const Reconstruction& result)
 
 /// As accurate as asked for, in spacings, but not much more than the slices are; 0 for all
 /// triangles.
-double AccuracyOf(const PatchOptions& patching, const Reconstruction& result)
+double AccuracyOf(
+  const PatchOptions& patching, const Reconstruction& result, const Execution& execution)
 {
   if (!GivesNormals(patching.Method) || !(patching.OwnAccuracy || patching.Accuracy > 0.0))
   {
@@ -199,9 +200,9 @@ double AccuracyOf(const PatchOptions& patching, const Reconstruction& result)
   if (!(accuracy > 0.0))
   {
     const CycleGeometry geometry = GeometryOf(result);
-    const double error = FitError({ geometry, result.Cells, result.Normals,
-                           result.Surface.CentralPoints, result.Surface.Meshes }) /
-      spacing;
+    const PatchTables tables{ geometry, result.Cells, result.Normals, result.Surface.CentralPoints,
+      result.Surface.Meshes };
+    const double error = FitError(tables, execution) / spacing;
     accuracy =
       std::max(LeastAccuracy, std::min(AccuracyByError * error, AccuracyByRoot * std::sqrt(error)));
   }
@@ -295,7 +296,7 @@ bool FillCycles(const PatchOptions& options, Pass& pass)
   PatchOptions patching = options;
   patching.Part = pass.Result.Part ? &*pass.Result.Part : nullptr;
   FindNormals(patching, pass);
-  patching.Accuracy = AccuracyOf(options, pass.Result);
+  patching.Accuracy = AccuracyOf(options, pass.Result, pass.Execute);
   pass.Result.Accuracy = options.KeepContours ? 0.0 : patching.Accuracy;
   LayOutPatches(patching, DrawOutlines(patching.Accuracy, pass), pass);
   ImproveIfLight(patching.Accuracy, pass);
@@ -312,7 +313,7 @@ bool FillTogether(const PatchOptions& options, const std::vector<Pass*>& structu
   {
     FindNormals(options, *pass);
     Reconstruction& result = pass->Result;
-    patching.Accuracy = std::min(patching.Accuracy, AccuracyOf(options, result));
+    patching.Accuracy = std::min(patching.Accuracy, AccuracyOf(options, result, pass->Execute));
     geometries.push_back(GeometryOf(result));
     surfaces.push_back({ geometries.back(), result.Cells, result.Surface.Meshes, result.Normals });
   }

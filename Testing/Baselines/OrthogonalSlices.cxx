@@ -26,6 +26,7 @@ std::string OneFamily::Description() const
 vtkSmartPointer<vtkPolyData> OrthogonalSlices::Reconstruct(const SliceSets& slices) const
 {
   vtkNew<vtkOrthogonalSliceReconstruction> filter;
+  filter->AutomaticAccuracyOff(); // other methods have all triangles, too
   for (int axis = 0; axis < 3; ++axis)
   {
     if (this->UsesFamilies()[axis])

@@ -310,6 +310,7 @@ void RunSize(const Arguments& arguments, double total, const std::string& patche
       : patches == "coons"              ? vtkOrthogonalSliceReconstruction::COONS
                                         : vtkOrthogonalSliceReconstruction::SMOOTH);
   filter->SetEdgeLength(arguments.EdgeLength);
+  filter->AutomaticAccuracyOff(); // triangles in proportion to the input
   double points = 0.0;
   double input = 0.0;
   for (int axis = 0; axis < 3; ++axis)

@@ -3,15 +3,16 @@
 /**
  * One line with a number for every run of the filters on files: all that they write, bit by bit.
  *
- *   HashOutputs [--quick] FOLDER ...
+ *   HashOutputs [--quick] [--all-triangles] FOLDER ...
  *
  * Shows that a change of the code changes no result: print the lines before and after, and compare
  * them with diff. The number depends on compiler, processor and VTK, so it is no golden value.
  *
  * A folder has contours in files that end in x.vtp, y.vtp or z.vtp; what stands before that names a
  * set. Each set is tried with one, two and three of its families, with noise, rounded to float, and
- * with every value of every enumeration; --quick leaves the latter out for sets named n32_. A
- * surface, truth.vtp, is sliced, and so is a distance volume of its box.
+ * with every value of every enumeration; --quick leaves the latter out for sets named n32_.
+ * --all-triangles switches Automatic Accuracy off in all runs. A surface, truth.vtp, is sliced, and
+ * so is a distance volume of its box.
  */
 
 #include "vtkOrthogonalSliceReconstruction.h"
@@ -187,6 +188,7 @@ const std::vector<Setting>& ListSettings()
         f->SetCornerAngle(30.0);
       } },
     { "Accuracy", [](Filter* f) { f->SetAccuracy(0.05); } },
+    { "AllTriangles", [](Filter* f) { f->AutomaticAccuracyOff(); } },
     { "Weights", [](Filter* f) { f->SetAxisWeights(1.0, 2.0, 0.0); } },
     { "Curvatures", [](Filter* f) { f->ComputeCurvaturesOn(); } },
     { "NoNormals", [](Filter* f) { f->ComputeNormalsOff(); } },
@@ -201,11 +203,15 @@ const std::vector<Setting>& ListSettings()
   return settings;
 }
 
+/// Whether Automatic Accuracy is off, for all runs.
+bool allTriangles = false;
+
 void Reconstruct(
   const std::string& name, const Contours& contours, int families,
   const std::function<void(Filter*)>& apply = [](Filter*) {})
 {
   vtkNew<Filter> filter;
+  filter->SetAutomaticAccuracy(!allTriangles);
   apply(filter);
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -344,6 +350,11 @@ int main(int argc, char* argv[])
     if (folder == "--quick")
     {
       quick = true;
+      continue;
+    }
+    if (folder == "--all-triangles")
+    {
+      allTriangles = true;
       continue;
     }
     const std::string label = std::filesystem::path(folder).filename().string();

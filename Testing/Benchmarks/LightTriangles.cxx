@@ -1,16 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * All triangles against those of *Automatic Accuracy*: how many, how well shaped, how accurate and
- * how fast.
+ * All triangles against few, as *Automatic Accuracy* makes them: how many, how well shaped, how
+ * accurate and how fast.
  *
- *   LightTriangles [--planes N,...] [--families xyz,...] [--samples N] [--stages] FOLDER ...
+ *   LightTriangles [--planes N,...] [--families xyz,...] [--samples N] [--stages]
+ *     [--accuracy VALUE] [--keep] [--write FOLDER] FOLDER ...
  *
  * A folder has contours in nN_x.vtp, nN_y.vtp and nN_z.vtp for N planes per axis, and the surface
  * that they are cuts of in truth.vtp. One row for each folder, number of planes and choice of
  * families. RMS distances from the truth are in mean plane spacings; seconds are those of one
  * thread, from contours to triangles in memory. Crossings are those of the few triangles, decided
- * exactly. --stages prints the seconds of each stage, of all and of few triangles.
+ * exactly. --stages prints the seconds of each stage, of all and of few triangles; --accuracy takes
+ * this *Accuracy* instead of the automatic one, --keep is *Keep Contour Vertices*. --write leaves
+ * the few triangles as NAME-N.smesh for TetGen and NAME-N.stl, text of nine digits, for Gmsh.
  */
 
 #include "Bridge/ReadPieces.h"
@@ -31,6 +34,8 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <fstream>
+#include <iomanip>
 #include <map>
 #include <sstream>
 #include <string>
@@ -46,8 +51,21 @@ struct Arguments
   std::vector<std::string> Planes{ "16", "32" };
   std::vector<std::string> Families{ "xyz" };
   std::vector<std::filesystem::path> Folders;
+  std::filesystem::path Written; ///< folder for the few triangles; empty: none
   std::int64_t Samples = 30000;
+  double Accuracy = 0.0; ///< 0: automatic
+  bool Keep = false;
   bool Stages = false;
+
+  /// Of the surface with few triangles, or with all.
+  PatchOptions Patching(bool isLight) const
+  {
+    PatchOptions patching;
+    patching.OwnAccuracy = isLight && !(this->Accuracy > 0.0);
+    patching.Accuracy = isLight ? this->Accuracy : 0.0;
+    patching.KeepContours = isLight && this->Keep;
+    return patching;
+  }
 };
 
 std::vector<std::string> Split(const char* text)
@@ -99,11 +117,12 @@ struct Run
   std::map<Stage, double> Stages;
 };
 
-Run Reconstruct(const Polylines& lines, bool isLight, vtkPolyData* truth, std::int64_t samples)
+Run Reconstruct(
+  const Polylines& lines, const PatchOptions& patching, vtkPolyData* truth, std::int64_t samples)
 {
   Run run;
   Options options;
-  options.Patching.OwnAccuracy = isLight;
+  options.Patching = patching;
   const std::clock_t start = std::clock();
   std::clock_t last = start;
   const Reconstruction result =
@@ -171,6 +190,42 @@ Polylines ReadFamilies(
   return lines;
 }
 
+/// The file format of TetGen: points, triangles, no holes and no regions.
+void WriteForTetGen(const TriangleMesh& mesh, const std::filesystem::path& name)
+{
+  std::ofstream file(name);
+  file << std::setprecision(17) << mesh.Points.size() << " 3 0 0\n";
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    const Point3& p = mesh.Points[i];
+    file << i << " " << p[0] << " " << p[1] << " " << p[2] << "\n";
+  }
+  file << mesh.Triangles.size() << " 0\n";
+  for (const auto& [a, b, c] : mesh.Triangles)
+  {
+    file << "3 " << a << " " << b << " " << c << "\n";
+  }
+  file << "0\n0\n";
+}
+
+/// Text with as many digits as float has.
+void WriteStl(const TriangleMesh& mesh, const std::filesystem::path& name)
+{
+  std::ofstream file(name);
+  file << std::setprecision(9) << "solid\n";
+  for (const auto& triangle : mesh.Triangles)
+  {
+    file << "facet normal 0 0 0\nouter loop\n";
+    for (const std::int64_t corner : triangle)
+    {
+      const Point3& p = mesh.Points[corner];
+      file << "vertex " << p[0] << " " << p[1] << " " << p[2] << "\n";
+    }
+    file << "endloop\nendfacet\n";
+  }
+  file << "endsolid\n";
+}
+
 void RunFolder(const std::filesystem::path& folder, const Arguments& arguments)
 {
   const auto truth = Read(folder / "truth.vtp");
@@ -179,10 +234,17 @@ void RunFolder(const std::filesystem::path& folder, const Arguments& arguments)
     for (const std::string& families : arguments.Families)
     {
       const Polylines lines = ReadFamilies(folder, planes, families);
-      const Run all = Reconstruct(lines, false, truth, arguments.Samples);
-      const Run few = Reconstruct(lines, true, truth, arguments.Samples);
+      const Run all = Reconstruct(lines, arguments.Patching(false), truth, arguments.Samples);
+      const Run few = Reconstruct(lines, arguments.Patching(true), truth, arguments.Samples);
       const std::string of = families == "xyz" ? "" : " " + families;
-      PrintRow(folder.filename().string() + ", " + planes + of, all, few);
+      const std::string shape = folder.filename().string();
+      PrintRow(shape + ", " + planes + of, all, few);
+      if (!arguments.Written.empty())
+      {
+        const std::string name = shape + "-" + planes + (of.empty() ? of : "-" + families);
+        WriteForTetGen(few.Mesh, arguments.Written / (name + ".smesh"));
+        WriteStl(few.Mesh, arguments.Written / (name + ".stl"));
+      }
       if (arguments.Stages)
       {
         PrintStages(all, few);
@@ -210,6 +272,19 @@ Arguments Parse(int argc, char* argv[])
     {
       arguments.Samples = std::atoll(argv[++i]);
     }
+    else if (option == "--accuracy" && hasValue)
+    {
+      arguments.Accuracy = std::atof(argv[++i]);
+    }
+    else if (option == "--write" && hasValue)
+    {
+      arguments.Written = argv[++i];
+      std::filesystem::create_directories(arguments.Written);
+    }
+    else if (option == "--keep")
+    {
+      arguments.Keep = true;
+    }
     else if (option == "--stages")
     {
       arguments.Stages = true;
@@ -229,7 +304,8 @@ int main(int argc, char* argv[])
   if (arguments.Folders.empty())
   {
     std::fprintf(stderr,
-      "usage: %s [--planes N,...] [--families xyz,...] [--samples N] [--stages] FOLDER ...\n",
+      "usage: %s [--planes N,...] [--families xyz,...] [--samples N] [--stages]\n"
+      "  [--accuracy VALUE] [--keep] [--write FOLDER] FOLDER ...\n",
       argv[0]);
     return 2;
   }

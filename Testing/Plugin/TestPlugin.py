@@ -57,7 +57,7 @@ def check_defaults():
         "EdgeLength": 0.25,
         "ChordTolerance": 0.0,
         "Accuracy": 0.0,
-        "AutomaticAccuracy": 0,
+        "AutomaticAccuracy": 1,
         "KeepContourVertices": 0,
         "CornerAngle": 60.0,
         "Smoothing": 0.0,

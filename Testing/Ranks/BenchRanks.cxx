@@ -139,6 +139,7 @@ Run Reconstruct(
 {
   vtkNew<vtkOrthogonalSliceReconstruction> filter;
   filter->SetController(controller);
+  filter->AutomaticAccuracyOff(); // few triangles are not divided
   for (int axis = 0; axis < 3; ++axis)
   {
     filter->SetInputData(axis, MakeContours(axis, planes, total, rank, ranks));

@@ -2,81 +2,123 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Improve/BoxTree.h"
 
+#include <cmath>
+#include <limits>
+
 namespace orthoslices
 {
 namespace
 {
-/// Whether a box lies within another one.
-bool IsWithin(const Box3& box, const Box3& other)
+float RoundDown(double x)
+{
+  constexpr float greatest = std::numeric_limits<float>::max();
+  if (!(std::abs(x) < static_cast<double>(greatest)))
+  {
+    return x > 0.0 ? greatest : -HUGE_VALF;
+  }
+  const float rounded = static_cast<float>(x);
+  return static_cast<double>(rounded) > x ? std::nextafterf(rounded, -HUGE_VALF) : rounded;
+}
+
+float RoundUp(double x) { return -RoundDown(-x); }
+}
+
+BoxTree::Rounded::Rounded(const Box3& box)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (!(other.Low[axis] <= box.Low[axis] && box.High[axis] <= other.High[axis]))
-    {
-      return false;
-    }
+    this->Low[axis] = RoundDown(box.Low[axis]);
+    this->High[axis] = RoundUp(box.High[axis]);
   }
-  return true;
 }
+
+/// Empty boxes.
+BoxTree::Branches::Branches()
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Low[axis].fill(HUGE_VALF);
+    this->High[axis].fill(-HUGE_VALF);
+  }
+}
+
+void BoxTree::Branches::Set(Index branch, const Rounded& box)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Low[axis][branch] = box.Low[axis];
+    this->High[axis][branch] = box.High[axis];
+  }
+}
+
+bool BoxTree::Branches::Grow(Index branch, const Rounded& box)
+{
+  bool grows = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    float &low = this->Low[axis][branch], &high = this->High[axis][branch];
+    grows = grows || box.Low[axis] < low || box.High[axis] > high;
+    low = std::min(low, box.Low[axis]);
+    high = std::max(high, box.High[axis]);
+  }
+  return grows;
 }
 
 BoxTree::BoxTree(std::vector<Box3> boxes)
   : Boxes(std::move(boxes))
+  , CountAtFirst(static_cast<Index>(this->Boxes.size()))
 {
-  const Index count = static_cast<Index>(this->Boxes.size());
-  const Index leaves = std::max<Index>(1, (count + InLeaf - 1) / InLeaf);
-  this->First.assign(leaves, -1);
-  this->Next.assign(count, -1);
-  this->Leaf.resize(count);
-  this->Levels.emplace_back(leaves);
-  for (Index i = count - 1; i >= 0; --i)
+  Index nodes = this->CountAtFirst;
+  do
   {
-    const Index leaf = i / InLeaf;
-    this->Leaf[i] = leaf;
-    this->Next[i] = this->First[leaf];
-    this->First[leaf] = i;
-    this->Levels[0][leaf].Add(this->Boxes[i]);
-  }
-  while (this->Levels.back().size() > 1)
+    nodes = std::max<Index>(1, (nodes + Width - 1) / Width);
+    this->Levels.emplace_back(nodes);
+  } while (nodes > 1);
+  this->FirstAdded.assign(this->Levels[0].size(), -1);
+  for (Index thing = 0; thing < this->CountAtFirst; ++thing)
   {
-    const std::vector<Box3>& below = this->Levels.back();
-    std::vector<Box3> level((below.size() + 1) / 2);
-    for (std::size_t i = 0; i < below.size(); ++i)
-    {
-      level[i / 2].Add(below[i]);
-    }
-    this->Levels.push_back(std::move(level));
+    this->Set(thing, this->Boxes[thing]);
   }
 }
 
-void BoxTree::Grow(Index leaf, const Box3& box)
+/// Lets all that is around a leaf be around a box.
+void BoxTree::Grow(Index leaf, const Rounded& box)
 {
   Index number = leaf;
-  for (std::vector<Box3>& level : this->Levels)
+  for (std::size_t level = 1; level < this->Levels.size(); ++level)
   {
-    if (IsWithin(box, level[number]))
+    if (!this->Levels[level][number / Width].Grow(number % Width, box))
     {
-      return; // and so within all above
+      return; // and so all above has been
     }
-    level[number].Add(box);
-    number /= 2;
+    number /= Width;
   }
 }
 
 void BoxTree::Set(Index thing, const Box3& box)
 {
   this->Boxes[thing] = box;
-  this->Grow(this->Leaf[thing], box);
+  const Rounded rounded(box);
+  if (thing < this->CountAtFirst)
+  {
+    this->Levels[0][thing / Width].Set(thing % Width, rounded);
+    this->Grow(thing / Width, rounded);
+  }
+  else
+  {
+    this->Grow(this->LeafOfAdded[thing - this->CountAtFirst], rounded);
+  }
 }
 
 void BoxTree::Add(const Box3& box, Index beside)
 {
-  const Index leaf = this->Leaf[beside];
-  const Index thing = static_cast<Index>(this->Boxes.size());
+  const Index added = this->Count() - this->CountAtFirst;
+  const Index leaf =
+    beside < this->CountAtFirst ? beside / Width : this->LeafOfAdded[beside - this->CountAtFirst];
   this->Boxes.push_back(box);
-  this->Leaf.push_back(leaf);
-  this->Next.push_back(this->First[leaf]);
-  this->First[leaf] = thing;
-  this->Grow(leaf, box);
+  this->LeafOfAdded.push_back(leaf);
+  this->NextAdded.push_back(this->FirstAdded[leaf]);
+  this->FirstAdded[leaf] = added;
+  this->Grow(leaf, Rounded(box));
 }
 }

@@ -11,9 +11,10 @@
 namespace orthoslices
 {
 /**
- * Boxes around things that are numbered from 0, as a binary tree, to find those near a place. Boxes
- * may change, and others be added beside one that is there; the tree keeps its shape. It is good
- * where things with neighbouring numbers are near each other, and boxes do not go far.
+ * Boxes around things that are numbered from 0, as a tree of eight branches, to find those near a
+ * place. Boxes may change, and others be added beside one that is there; the tree keeps its shape.
+ * It is good where things with neighbouring numbers are near each other, and boxes do not go far.
+ * In the tree boxes are of single precision, rounded outwards: eight are compared at once.
  */
 class BoxTree
 {
@@ -32,46 +33,99 @@ public:
   void ForBoxesAt(const Box3& box, Visit&& visit) const;
 
 private:
-  /// Things in the smallest boxes. It changes the time only.
-  static constexpr Index InLeaf = 4;
+  static constexpr Index Width = 8;
 
-  void Grow(Index leaf, const Box3& box);
+  /// A box of single precision.
+  struct Rounded
+  {
+    std::array<float, 3> Low, High;
+
+    explicit Rounded(const Box3& box);
+  };
+
+  /// Eight boxes, and all that is around them.
+  struct Branches
+  {
+    std::array<std::array<float, Width>, 3> Low, High;
+
+    Branches();
+    void Set(Index branch, const Rounded& box);
+    /// False if it has been around that before.
+    bool Grow(Index branch, const Rounded& box);
+    /// Which of them meet a box: not 0.
+    std::array<int, Width> Meet(const Rounded& box) const;
+  };
+
+  void Grow(Index leaf, const Rounded& box);
+  template <typename Visit>
+  void VisitLeaf(Index leaf, const Box3& box, const Rounded& rounded, Visit&& visit) const;
 
   std::vector<Box3> Boxes;
-  std::vector<Index> Leaf;               ///< of each thing
-  std::vector<Index> First, Next;        ///< of each leaf the first thing, of each thing the next
-  std::vector<std::vector<Box3>> Levels; ///< leaves first; box i of a level has 2 i and 2 i + 1
+  Index CountAtFirst = 0;
+  /// Leaves first; branch b of node i of a level is node 8 i + b of the level below, or that thing.
+  std::vector<std::vector<Branches>> Levels;
+  /// Of each leaf the first thing that was added there, of each of these the next one, and its leaf.
+  std::vector<Index> FirstAdded, NextAdded, LeafOfAdded;
 };
+
+inline std::array<int, BoxTree::Width> BoxTree::Branches::Meet(const Rounded& box) const
+{
+  std::array<int, Width> meet;
+  for (Index i = 0; i < Width; ++i)
+  {
+    meet[i] = static_cast<int>(this->Low[0][i] <= box.High[0]) &
+      static_cast<int>(box.Low[0] <= this->High[0][i]) &
+      static_cast<int>(this->Low[1][i] <= box.High[1]) &
+      static_cast<int>(box.Low[1] <= this->High[1][i]) &
+      static_cast<int>(this->Low[2][i] <= box.High[2]) &
+      static_cast<int>(box.Low[2] <= this->High[2][i]);
+  }
+  return meet;
+}
+
+template <typename Visit>
+void BoxTree::VisitLeaf(Index leaf, const Box3& box, const Rounded& rounded, Visit&& visit) const
+{
+  const std::array<int, Width> meet = this->Levels[0][leaf].Meet(rounded);
+  for (Index i = 0; i < Width; ++i)
+  {
+    if (meet[i] != 0 && box.Meets(this->Boxes[Width * leaf + i]))
+    {
+      visit(Width * leaf + i);
+    }
+  }
+  for (Index added = this->FirstAdded[leaf]; added >= 0; added = this->NextAdded[added])
+  {
+    if (box.Meets(this->Boxes[this->CountAtFirst + added]))
+    {
+      visit(this->CountAtFirst + added);
+    }
+  }
+}
 
 template <typename Visit>
 void BoxTree::ForBoxesAt(const Box3& box, Visit&& visit) const
 {
-  // Level and number of boxes to be looked into: two of each level at most, of 32.
-  std::array<std::array<Index, 2>, 64> open;
+  const Rounded rounded(box);
+  // Level and number of nodes to be looked into: seven of each level and one more at most, of 11.
+  std::array<std::array<Index, 2>, 88> open;
   std::size_t count = 0;
   open[count++] = { static_cast<Index>(this->Levels.size()) - 1, 0 };
   while (count > 0)
   {
     const auto [level, number] = open[--count];
-    if (!box.Meets(this->Levels[level][number]))
-    {
-      continue;
-    }
     if (level == 0)
     {
-      for (Index i = this->First[number]; i >= 0; i = this->Next[i])
-      {
-        if (box.Meets(this->Boxes[i]))
-        {
-          visit(i);
-        }
-      }
+      this->VisitLeaf(number, box, rounded, visit);
       continue;
     }
-    const Index last = static_cast<Index>(this->Levels[level - 1].size()) - 1;
-    for (Index below = std::min(last, 2 * number + 1); below >= 2 * number; --below)
+    const std::array<int, Width> meet = this->Levels[level][number].Meet(rounded);
+    for (Index i = Width - 1; i >= 0; --i)
     {
-      open[count++] = { level - 1, below };
+      if (meet[i] != 0)
+      {
+        open[count++] = { level - 1, Width * number + i };
+      }
     }
   }
 }

@@ -89,9 +89,9 @@ Point2 CrossingGuard::Project(const Point3& place) const
 void CrossingGuard::ChooseAxis()
 {
   Point3 normal{ 0.0, 0.0, 0.0 };
-  for (const std::array<Index, 3>& triangle : this->Change->Added)
+  for (const AddedTriangle& triangle : this->Added)
   {
-    const Places p = this->PlacesOf(triangle);
+    const Places& p = triangle.Corners;
     normal = normal + Cross(p[1] - p[0], p[2] - p[0]);
   }
   this->Axis = 0;
@@ -105,6 +105,12 @@ void CrossingGuard::ChooseAxis()
 void CrossingGuard::SetChange(const SurfaceChange& change)
 {
   this->Change = &change;
+  this->Added.clear();
+  for (const std::array<Index, 3>& triangle : change.Added)
+  {
+    const Places places = this->PlacesOf(triangle);
+    this->Added.push_back({ places, BoxOf(places) });
+  }
   this->ChooseAxis();
   this->AddedCorners.clear();
   for (const std::array<Index, 3>& triangle : change.Added)
@@ -230,27 +236,37 @@ bool CrossingGuard::PlaneSeparates(const std::array<Index, 3>& triangle) const
       [&](const Corner& corner) { return CertainSide(t[0], t[1], t[2], corner.Place) == side; });
 }
 
+/// Lists what is added and has a box that meets that of a triangle, but no corner of it: what has
+/// one is tested around that corner.
+void CrossingGuard::ListClose(Index triangle, const std::array<Index, 3>& corners, bool isBeside)
+{
+  this->Close.clear();
+  const Box3& box = this->Boxes[triangle];
+  for (std::size_t i = 0; i < this->Added.size(); ++i)
+  {
+    if (this->Added[i].Box.Meets(box) &&
+      !(isBeside && HaveCommonCorner(this->Change->Added[i], corners)))
+    {
+      this->Close.push_back(i);
+    }
+  }
+}
+
 /// Whether a triangle that stays meets none of those that are added and have no corner of it.
 bool CrossingGuard::IsApart(Index triangle)
 {
   const std::array<Index, 3> corners = this->CornersOf(triangle);
   const bool isBeside = std::any_of(
     corners.begin(), corners.end(), [&](Index point) { return this->IsCornerOfAdded(point); });
-  if (this->LineSeparates(corners) || (!isBeside && this->PlaneSeparates(corners)))
+  this->ListClose(triangle, corners, isBeside);
+  if (this->Close.empty() || this->LineSeparates(corners) ||
+    (!isBeside && this->PlaneSeparates(corners)))
   {
     return true;
   }
   const Places own = this->PlacesOf(corners);
-  return std::all_of(this->Change->Added.begin(), this->Change->Added.end(),
-    [&](const std::array<Index, 3>& added)
-    {
-      if (isBeside && HaveCommonCorner(added, corners))
-      {
-        return true; // tested around that corner
-      }
-      const Places places = this->PlacesOf(added);
-      return !BoxOf(places).Meets(this->Boxes[triangle]) || CertainlyApart(own, places);
-    });
+  return std::all_of(this->Close.begin(), this->Close.end(),
+    [&](std::size_t i) { return CertainlyApart(own, this->Added[i].Corners); });
 }
 
 bool CrossingGuard::Allows(const SurfaceChange& change)

@@ -56,6 +56,12 @@ private:
     Point2 Projected;
   };
   using Places = std::array<Point3, 3>;
+  /// A triangle that is added.
+  struct AddedTriangle
+  {
+    Places Corners;
+    Box3 Box;
+  };
 
   void SetChange(const SurfaceChange& change);
   void ChooseAxis();
@@ -74,17 +80,20 @@ private:
   bool LineSeparates(const std::array<Index, 3>& triangle) const;
   bool PlaneSeparates(const std::array<Index, 3>& triangle) const;
   bool IsApart(Index triangle);
+  void ListClose(Index triangle, const std::array<Index, 3>& corners, bool isBeside);
 
   const CornerTable& Corners;
   const std::vector<Point3>& Points;
   const BoxTree& Boxes;
   const SurfaceChange* Change = nullptr;
+  std::vector<AddedTriangle> Added;
   std::vector<Corner> AddedCorners;
   int Axis = 0;                             ///< of the projection
   int Direction = 1;                        ///< 1 if triangles run counter-clockwise there, else -1
   std::vector<std::array<Index, 3>> Around; ///< triangles at a point, which is their first corner
   std::size_t AddedAround = 0;              ///< how many of them are added; they come first
   std::vector<Index> Near;
+  std::vector<std::size_t> Close; ///< of what is added, what a triangle may meet
   Box3 Whole;
 };
 }

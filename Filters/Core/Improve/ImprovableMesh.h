@@ -26,7 +26,7 @@ struct ImprovableMesh
 /// What may be done to a surface.
 struct ImprovementLimits
 {
-  /// How far the surface may move, in world units; beside the worst triangles, 1.5 times as far.
+  /// How far the surface may move, in world units; beside the worst triangles, twice as far.
   double Tolerance = 0.0;
   double SmallAngle = 0.0; ///< triangles with a smaller one are to be improved, in degrees
   Index Kept = 0;          ///< the first so many points stay where they are

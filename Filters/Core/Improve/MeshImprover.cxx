@@ -38,9 +38,14 @@ constexpr double WorstBound = 0.23;
 constexpr double MoreForWorst = 1.4;
 constexpr double MostTurnOfWorst = 0.1;
 
-/// Below that share they may turn by any angle: folds and spikes, as thin as the tolerance.
+/// What is split and does not get better may move the surface by so many tolerances: with 1.4 and 2,
+/// the boot at 16 planes per axis has 97.9 and 99.0 % of its triangles without an angle below 20
+/// degrees, at the same RMS error.
+constexpr double MoreForLast = 2.0;
+
+/// Below that share of the angle triangles may turn by any angle: folds and spikes, as thin as the
+/// tolerance.
 constexpr double FoldBound = 0.17;
-constexpr double MoreForFolds = 1.5;
 constexpr double AnyTurn = -2.0;
 
 /// Triangles that are looked at together, before anything is done to them: of a few, so many that
@@ -346,8 +351,11 @@ void MeshImprover::Run()
   this->ForgetFailures();
   this->RunBelow(qualityOf(WorstBound * this->Limits.SmallAngle), Means::Moves);
   this->State.LeastOfCollapse = LeastGain; // else it might undo splits for ever
-  this->RunBelow(qualityOf(SplitBound * this->Limits.SmallAngle), Means::Splits);
-  this->State.Slack = MoreForFolds;
+  const double wanted = qualityOf(SplitBound * this->Limits.SmallAngle);
+  this->RunBelow(wanted, Means::Splits);
+  this->State.Slack = MoreForLast;
+  this->ForgetFailures();
+  this->RunBelow(wanted, Means::Beside);
   this->State.LeastCosine = AnyTurn;
   this->ForgetFailures();
   this->RunBelow(qualityOf(FoldBound * this->Limits.SmallAngle), Means::Beside);

@@ -23,27 +23,38 @@ std::uint64_t ShuffledNumber(const std::array<Index, 3>& cell)
 }
 }
 
-double FitError(const PatchTables& tables)
+double FitError(const PatchTables& tables, const Execution& execution)
 {
-  constexpr Index most = 400; // the error of their mean is a twentieth
-  SmoothPatchBuilder builder(tables.Geometry.Grid, PatchResolution());
-  PatchBorder border;
+  // A hundredth of all may have half of the sum of squares, so that a few hundred would not do.
+  constexpr Index most = 10000;
   // Neither which patches are measured nor the sum depends on the order of the contours.
-  std::vector<double> squares;
   const CellCycles& cycles = tables.Geometry.Cycles;
   const std::uint64_t step = 1 + cycles.Count() / most;
+  std::vector<Index> chosen;
   for (Index cycle = 0; cycle < cycles.Count(); ++cycle)
   {
     if (ShuffledNumber(cycles.Cell[cycle]) % step == 0)
     {
-      border.Set(tables.Geometry, tables.Normals, cycle);
-      border.Turn();
-      if (builder.Fit(border))
-      {
-        squares.push_back(builder.Deviation() * builder.Deviation());
-      }
+      chosen.push_back(cycle);
     }
   }
+  std::vector<double> squares(chosen.size(), -1.0); // of those that tell
+  execution.For(chosen.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      SmoothPatchBuilder builder(tables.Geometry.Grid, PatchResolution());
+      PatchBorder border;
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        border.Set(tables.Geometry, tables.Normals, chosen[i]);
+        border.Turn();
+        if (builder.Fit(border))
+        {
+          squares[i] = builder.Deviation() * builder.Deviation();
+        }
+      }
+    });
+  squares.erase(std::remove(squares.begin(), squares.end(), -1.0), squares.end());
   std::sort(squares.begin(), squares.end());
   const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
   return squares.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(squares.size()));

@@ -8,11 +8,11 @@
 namespace orthoslices
 {
 /**
- * How far contours lie off surfaces without creases that are fitted to each patch, RMS of at most a
- * few hundred patches, in world units: about as far as the smooth patches are from the object
+ * How far contours lie off surfaces without creases that are fitted to each patch, RMS of all
+ * patches, or of some thousands, in world units: about as far as the smooth patches are from the object
  * between its contours. 0 if there are no patches that tell.
  */
-double FitError(const PatchTables& tables);
+double FitError(const PatchTables& tables, const Execution& execution);
 }
 
 #endif
