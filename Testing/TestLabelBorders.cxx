@@ -576,3 +576,63 @@ TEST(LabelBorders, LabelsThatSlicesLackAreFilledIn)
   EXPECT_NE(run.Warnings[0].find("contours seem to be missing"), std::string::npos)
     << run.Warnings[0];
 }
+
+namespace
+{
+/// Exchanges two labels on three of five slices across an axis, others on each.
+void SwapOften(int axis, int labels, vtkPolyData* slices)
+{
+  std::map<double, int> numbers; // of slices, by their coordinates
+  for (vtkIdType i = 0; i < slices->GetNumberOfPoints(); ++i)
+  {
+    numbers[slices->GetPoint(i)[axis]] = 0;
+  }
+  int next = 0;
+  for (auto& number : numbers)
+  {
+    number.second = next++;
+  }
+  vtkDataArray* array = slices->GetCellData()->GetArray("Label");
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType i = 0; i < slices->GetNumberOfCells(); ++i)
+  {
+    slices->GetCellPoints(i, ids);
+    const int number = numbers[slices->GetPoint(ids->GetId(0))[axis]] + axis;
+    const int first = 1 + 7 * number % labels, second = 1 + (3 * number + 1) % labels;
+    const int label = static_cast<int>(array->GetTuple1(i));
+    if (number % 5 < 3 && (label == first || label == second))
+    {
+      array->SetTuple1(i, first + second - label);
+    }
+  }
+}
+}
+
+/// After all labels have voted, a label may touch a plane on which it is not drawn any more. Its
+/// cells end there as those of its neighbours do.
+TEST(LabelBorders, CellsAreCommonWhereLabelsTouchPlanes)
+{
+  for (const int seed : { 52, 55, 61 })
+  {
+    constexpr int labels = 8;
+    vtkNew<vtkOrthogonalSlicer> slicer;
+    slicer->SetInputData(ToVtk(MakeLabelImage(LabelKind::Ball, labels, seed)));
+    slicer->EveryLabelOn();
+    slicer->SetNumberOfSlices(16, 16, 16);
+    slicer->Update();
+    FilterRun run;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      vtkNew<vtkPolyData> data;
+      data->DeepCopy(slicer->GetOutput(axis));
+      SwapOften(axis, labels, data);
+      run.Filter->SetInputData(axis, data);
+    }
+    run.Filter->SetLabelArray("Label");
+    run.Filter->AutomaticAccuracyOff();
+    const Borders borders(run.Update());
+    EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
+    EXPECT_EQ(borders.Crossings, 0) << seed;
+    EXPECT_LT(borders.Overlap, 1e-4);
+  }
+}

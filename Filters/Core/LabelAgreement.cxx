@@ -68,7 +68,7 @@ bool LabelRunner::FindLacking(const LabelPass& label, VirtualPlanes& lacking) co
   Contours contours = label.Stages.Tables.Contours;
   SpatialGrid grid = label.Stages.Result.Grid;
   const Box3 box = BoxOf(contours);
-  AddEmptyPlanes(this->Planes, contours, grid);
+  AddEmptyPlanes(this->Planes, EmptyPlanes::NotPassed, contours, grid);
   for (int axis = 0; axis < 3; ++axis)
   {
     const std::vector<double>& planes = this->Planes[axis];
@@ -216,7 +216,7 @@ bool LabelRunner::RedrawEach()
     }
     Pass pass(label.Stages, Contours(contours));
     pass.SetShare(0.0, 0.0);
-    pass.SetOtherPlanes(this->Planes);
+    pass.SetOtherPlanes(this->Planes, EmptyPlanes::All);
     pass.BuildGrid();
     if (!DrawGraph(pass))
     {
@@ -282,6 +282,7 @@ bool LabelRunner::AgreeOnSlices()
   this->Borders.Union = shared.Union;
   this->Junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
   this->BuildGrids();
+  this->WhichPlanes = EmptyPlanes::All;
   return true;
 }
 

@@ -232,7 +232,7 @@ bool LabelRunner::MakeDense()
     pass.SetProgress(ProgressOfReading, 1.0, i, this->Passes.size());
     if (pass.IsRead)
     {
-      pass.Stages.SetOtherPlanes(this->Planes);
+      pass.Stages.SetOtherPlanes(this->Planes, this->WhichPlanes);
       pass.Stages.BuildGrid();
       pass.Stages.Settings.Virtual = VirtualSlices::Off;
       if (!ConnectDense(pass.Stages))

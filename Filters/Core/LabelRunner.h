@@ -114,8 +114,9 @@ private:
   std::deque<LabelPass> Passes; ///< of the labels, and of their union
   SharedBorders Borders;
   std::set<Point3> Junctions;
-  std::array<std::vector<double>, 3> Planes; ///< of all labels
-  std::array<std::set<double>, 3> Filled;    ///< planes with contours of labels that were lacking
+  std::array<std::vector<double>, 3> Planes;        ///< of all labels
+  EmptyPlanes WhichPlanes = EmptyPlanes::NotPassed; ///< of these, on which a label is not drawn
+  std::array<std::set<double>, 3> Filled; ///< planes with contours of labels that were lacking
 };
 }
 

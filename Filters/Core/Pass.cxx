@@ -31,6 +31,7 @@ Pass::Pass(const Pass& first, Contours&& contours, const Execution& execution)
   this->Inserted = first.Inserted;
   this->Bounds = first.Bounds;
   this->OtherPlanes = first.OtherPlanes;
+  this->WhichPlanes = first.WhichPlanes;
   Reconstruction& result = this->Result;
   result.Invalid = first.Result.Invalid;
   result.CrossingProblems = first.Result.CrossingProblems;
@@ -89,7 +90,7 @@ void Pass::BuildGrid()
   LimitBoundsTo(this->Bounds, this->Result.Grid);
   if (this->OtherPlanes != nullptr)
   {
-    AddEmptyPlanes(*this->OtherPlanes, this->Tables.Contours, this->Result.Grid);
+    AddEmptyPlanes(*this->OtherPlanes, this->WhichPlanes, this->Tables.Contours, this->Result.Grid);
   }
   this->NumberInserted();
 }

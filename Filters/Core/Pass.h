@@ -7,6 +7,7 @@
 #include "Core/Options.h"
 #include "Core/PassProgress.h"
 #include "Core/Reconstruction.h"
+#include "Core/Slices/EmptyPlanes.h"
 #include "Core/Stage.h"
 
 #include <memory>
@@ -57,11 +58,13 @@ public:
   /// The planes of the contours, and those of other structures; where inserted contours are in it.
   void BuildGrid();
 
-  /// Planes of other structures, for grids that are built from now on; see AddEmptyPlanes. They
-  /// have to outlive this.
-  void SetOtherPlanes(const std::array<std::vector<double>, 3>& planes)
+  /// Planes of other structures, for grids that are built from now on, and which of them; see
+  /// AddEmptyPlanes. They have to outlive this.
+  void SetOtherPlanes(
+    const std::array<std::vector<double>, 3>& planes, EmptyPlanes which = EmptyPlanes::NotPassed)
   {
     this->OtherPlanes = &planes;
+    this->WhichPlanes = which;
   }
 
   /// The slices of an only family end half a slice farther: with copies of the first and the last
@@ -96,6 +99,7 @@ private:
 
   Box3 Bounds = Everywhere(); ///< of the surface, where slices were added at its ends,
   const std::array<std::vector<double>, 3>* OtherPlanes = nullptr;
+  EmptyPlanes WhichPlanes = EmptyPlanes::NotPassed;
   bool OwnsVirtual = false; ///< slices were added by this pass: else another one made the report
 };
 }

@@ -31,8 +31,8 @@ std::vector<std::array<double, 2>> RangesAlong(int axis, const Contours& contour
 }
 
 /// The planes of an axis that can be added.
-std::vector<double> ChoosePlanes(
-  int axis, const std::vector<double>& planes, const Contours& contours, const SpatialGrid& grid)
+std::vector<double> ChoosePlanes(int axis, const std::vector<double>& planes, bool all,
+  const Contours& contours, const SpatialGrid& grid)
 {
   const std::vector<double>& own = grid.Planes[axis];
   std::vector<double> others, chosen;
@@ -45,12 +45,12 @@ std::vector<double> ChoosePlanes(
   {
     chosen.push_back(*(inside - 1));
   }
-  if (grid.HasVirtual())
+  if (all)
   {
     chosen.insert(chosen.end(), inside, above);
   }
   const std::vector<std::array<double, 2>> ranges =
-    grid.HasVirtual() ? std::vector<std::array<double, 2>>() : RangesAlong(axis, contours);
+    all ? std::vector<std::array<double, 2>>() : RangesAlong(axis, contours);
   std::size_t next = 0;
   double end = -HUGE_VAL; // of the ranges that begin below a plane
   for (auto plane = inside; plane != above && !ranges.empty(); ++plane)
@@ -72,14 +72,15 @@ std::vector<double> ChoosePlanes(
 }
 }
 
-void AddEmptyPlanes(
-  const std::array<std::vector<double>, 3>& planes, Contours& contours, SpatialGrid& grid)
+void AddEmptyPlanes(const std::array<std::vector<double>, 3>& planes, EmptyPlanes which,
+  Contours& contours, SpatialGrid& grid)
 {
   const bool hasVirtual = grid.HasVirtual();
   std::array<std::vector<double>, 3> added;
   for (int axis = 0; axis < 3; ++axis)
   {
-    added[axis] = ChoosePlanes(axis, planes[axis], contours, grid);
+    added[axis] =
+      ChoosePlanes(axis, planes[axis], hasVirtual || which == EmptyPlanes::All, contours, grid);
   }
   for (int axis = 0; axis < 3; ++axis)
   {
