@@ -24,6 +24,7 @@
 
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

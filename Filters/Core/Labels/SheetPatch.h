@@ -5,6 +5,7 @@
 
 #include "Core/Patches/SmoothPatch.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <utility>

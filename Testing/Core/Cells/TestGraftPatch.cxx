@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace orthoslices;
 using namespace orthoslices::support;
 

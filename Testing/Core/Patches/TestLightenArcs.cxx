@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace orthoslices;
@@ -36,7 +37,8 @@ struct Before
   {
     Options options;
     options.Patching.Accuracy = accuracy;
-    Reconstruct(SliceSolid(solid, EqualPlanes(solid, { 10, 10, 10 }), 12, InPlaneGrid::Aligned), options, Execution(),
+    Reconstruct(SliceSolid(solid, EqualPlanes(solid, { 10, 10, 10 }), 12, InPlaneGrid::Aligned),
+      options, Execution(),
       [this](Stage stage, const StageTables&, const Reconstruction& result)
       {
         if (stage == Stage::EstimateNormals)
