@@ -31,7 +31,7 @@ std::vector<std::array<double, 2>> RangesAlong(int axis, const Contours& contour
 }
 
 /// The planes of an axis that can be added.
-std::vector<double> ChoosePlanes(int axis, const std::vector<double>& planes, bool all,
+std::vector<double> ChoosePlanes(int axis, const std::vector<double>& planes, EmptyPlanes which,
   const Contours& contours, const SpatialGrid& grid)
 {
   const std::vector<double>& own = grid.Planes[axis];
@@ -45,15 +45,16 @@ std::vector<double> ChoosePlanes(int axis, const std::vector<double>& planes, bo
   {
     chosen.push_back(*(inside - 1));
   }
+  const std::vector<std::array<double, 2>> ranges =
+    grid.HasVirtual() ? std::vector<std::array<double, 2>>() : RangesAlong(axis, contours);
+  const bool all = grid.HasVirtual() || (which == EmptyPlanes::All && !ranges.empty());
   if (all)
   {
     chosen.insert(chosen.end(), inside, above);
   }
-  const std::vector<std::array<double, 2>> ranges =
-    all ? std::vector<std::array<double, 2>>() : RangesAlong(axis, contours);
   std::size_t next = 0;
   double end = -HUGE_VAL; // of the ranges that begin below a plane
-  for (auto plane = inside; plane != above && !ranges.empty(); ++plane)
+  for (auto plane = inside; plane != above && !all && !ranges.empty(); ++plane)
   {
     for (; next < ranges.size() && ranges[next][0] < *plane; ++next)
     {
@@ -79,8 +80,7 @@ void AddEmptyPlanes(const std::array<std::vector<double>, 3>& planes, EmptyPlane
   std::array<std::vector<double>, 3> added;
   for (int axis = 0; axis < 3; ++axis)
   {
-    added[axis] =
-      ChoosePlanes(axis, planes[axis], hasVirtual || which == EmptyPlanes::All, contours, grid);
+    added[axis] = ChoosePlanes(axis, planes[axis], which, contours, grid);
   }
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -45,7 +45,7 @@ TEST(EmptyPlanes, ThoseThroughWhichNothingPasses)
 {
   Contours contours = TwoCubes();
   SpatialGrid grid = BuildSpatialGrid(contours, 1e-6);
-  AddEmptyPlanes(Planes, contours, grid);
+  AddEmptyPlanes(Planes, EmptyPlanes::NotPassed, contours, grid);
   EXPECT_EQ(grid.Planes[0], (std::vector<double>{ -4.0, 0.0, 4.0 }));
   EXPECT_EQ(grid.Planes[2], (std::vector<double>{ -0.5, 0.5, 3.0, 7.0, 9.5, 10.5, 12.0 }));
   EXPECT_FALSE(grid.HasVirtual());
@@ -55,6 +55,16 @@ TEST(EmptyPlanes, ThoseThroughWhichNothingPasses)
   }
 }
 
+/// Where slices agree, also those on which contours end.
+TEST(EmptyPlanes, AllWhereSlicesAgree)
+{
+  Contours contours = TwoCubes();
+  SpatialGrid grid = BuildSpatialGrid(contours, 1e-6);
+  AddEmptyPlanes(Planes, EmptyPlanes::All, contours, grid);
+  EXPECT_EQ(grid.Planes[2], (std::vector<double>{ -0.5, 0.25, 0.5, 3.0, 7.0, 9.5, 10.5, 12.0 }));
+  EXPECT_FALSE(grid.HasVirtual());
+}
+
 /// Of one family, nobody knows what passes between its planes.
 TEST(EmptyPlanes, NoneBetweenSlicesOfOneFamily)
 {
@@ -62,7 +72,7 @@ TEST(EmptyPlanes, NoneBetweenSlicesOfOneFamily)
   AddSquare(2, 0.0, 0.0, 0.0, contours);
   AddSquare(2, 0.0, 0.0, 10.0, contours);
   SpatialGrid grid = BuildSpatialGrid(contours, 1e-6);
-  AddEmptyPlanes(Planes, contours, grid);
+  AddEmptyPlanes(Planes, EmptyPlanes::NotPassed, contours, grid);
   EXPECT_EQ(grid.Planes[2], (std::vector<double>{ 0.0, 10.0, 12.0 }));
 }
 
@@ -74,7 +84,7 @@ TEST(EmptyPlanes, AllAreVirtualAmongVirtualOnes)
   contours.Virtual.back() = 1;
   contours.Coordinate.back() = 0.5;
   SpatialGrid grid = BuildSpatialGrid(contours, 1e-6);
-  AddEmptyPlanes(Planes, contours, grid);
+  AddEmptyPlanes(Planes, EmptyPlanes::NotPassed, contours, grid);
   EXPECT_EQ(grid.Planes[2], (std::vector<double>{ -0.5, 0.25, 0.5, 3.0, 7.0, 9.5, 10.5, 12.0 }));
   EXPECT_TRUE(grid.IsVirtual(2, 1));
   EXPECT_FALSE(grid.IsVirtual(2, 2));
