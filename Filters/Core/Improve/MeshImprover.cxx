@@ -49,11 +49,11 @@ constexpr double FoldBound = 0.17;
 constexpr double AnyTurn = -2.0;
 
 /// Triangles that are looked at together, before anything is done to them: of a few, so many that
-/// they are not beside each other. It does not depend on the number of threads, so that the result
-/// does not either.
+/// they are not beside each other: of 256, two of five were in vain on thin shapes. It does not
+/// depend on the number of threads, so that the result does not either.
 std::size_t SizeOfBatch(std::size_t count)
 {
-  constexpr std::size_t least = 8, most = 256, apart = 32;
+  constexpr std::size_t least = 8, most = 64, apart = 32;
   return std::max(least, std::min(most, count / apart));
 }
 
