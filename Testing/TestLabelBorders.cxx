@@ -12,6 +12,7 @@
 #include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
 #include "Support/LabelImages.h"
+#include "Support/TurnedSlices.h"
 #include "Support/Vtk/PolyDataMesh.h"
 
 #include "vtkCellData.h"
@@ -634,5 +635,48 @@ TEST(LabelBorders, CellsAreCommonWhereLabelsTouchPlanes)
     EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
     EXPECT_EQ(borders.Crossings, 0) << seed;
     EXPECT_LT(borders.Overlap, 1e-4);
+  }
+}
+
+/// Coordinates of an oblique image that are rounded to thousandths: what slices disagree on is about
+/// as much as their tolerance, and labels of any size move alike.
+TEST(LabelBorders, DoNotCrossInRoundedObliqueSlices)
+{
+  for (const std::uint64_t seed : { 1, 2, 3 })
+  {
+    const Matrix3 turn = RandomRotation(seed);
+    vtkNew<vtkOrthogonalSlicer> slicer;
+    slicer->SetInputData(ToVtk(MakeLabelImage(LabelKind::Nested, 2, seed)));
+    slicer->EveryLabelOn();
+    slicer->SetNumberOfSlices(13, 13, 13);
+    slicer->Update();
+    FilterRun run;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      vtkNew<vtkPolyData> data;
+      data->DeepCopy(slicer->GetOutput(axis));
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+      {
+        Point3 p;
+        data->GetPoint(i, p.data());
+        p = Apply(turn, p);
+        for (double& x : p)
+        {
+          x = std::round(1000.0 * x) / 1000.0;
+        }
+        points->InsertNextPoint(p.data());
+      }
+      data->SetPoints(points);
+      run.Filter->SetInputData(axis, data);
+    }
+    run.Filter->SetLabelArray("Label");
+    run.Filter->AutomaticAccuracyOff();
+    run.Filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    const Borders borders(run.Update());
+    EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
+    EXPECT_EQ(borders.Count, 2u);
+    EXPECT_EQ(borders.Crossings, 0) << seed;
   }
 }

@@ -61,6 +61,21 @@ void AddAllPlanes(const VirtualPlanes& planes, const VirtualPlanes& ofVirtual, C
 }
 }
 
+/// All labels get the greatest tolerance of any, so that common contours move alike with the node
+/// points beside them, or stay alike.
+void LabelRunner::ShareTolerance()
+{
+  double tolerance = 0.0;
+  for (const LabelPass& pass : this->Passes)
+  {
+    tolerance = std::max(tolerance, pass.IsRead ? pass.Stages.Tables.Tolerance : 0.0);
+  }
+  for (LabelPass& pass : this->Passes)
+  {
+    pass.Stages.Tables.Tolerance = tolerance;
+  }
+}
+
 /// The planes through which a label passes without being drawn there, but for axes on which it
 /// seldom is. False if it is drawn on no plane of an axis.
 bool LabelRunner::FindLacking(const LabelPass& label, VirtualPlanes& lacking) const

@@ -141,6 +141,7 @@ std::vector<Contours*> LabelRunner::ListContours()
 /// Contours of labels get the same vertices where they run along each other.
 void LabelRunner::ShareContours()
 {
+  this->ShareTolerance();
   this->RemoveInserted();
   this->AddMissing();
   this->Borders = ShareBorders(this->Thickness(), {}, this->Execute, this->ListContours());

@@ -77,6 +77,7 @@ private:
   bool IsAnyInsideOut() const;
   void RemoveInserted();
   void AddMissing();
+  void ShareTolerance();
   void ShareContours();
   void BuildGrids();
   bool FindLacking(const LabelPass& label, VirtualPlanes& lacking) const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Frames/SortByPlanes.h"
 
+#include "Core/Frames/AlignToBorders.h"
 #include "Core/Frames/ChooseAxes.h"
 #include "Core/Frames/SnapPlanes.h"
 
@@ -72,6 +73,7 @@ public:
   void FindFrame()
   {
     this->Axes = ChooseAxes(FindFamilies(this->Groups, this->Noise), this->Noise);
+    AlignToBorders(this->Lines, this->Axes);
     if (this->Axes.Frame.IsWorld())
     {
       // There may be small contours on planes across the others.
@@ -289,6 +291,10 @@ SortedSlices SortByPlanes(const Polylines& lines, const FrameOptions& options)
   const double tolerance = options.PlaneTolerance * DiagonalOf(lines);
   if (options.Choice != FrameChoice::Given && AreSorted(lines, tolerance))
   {
+    if (options.Choice == FrameChoice::Automatic)
+    {
+      sorted.Frame = TurnWorld(lines, lines.From.Port);
+    }
     Distribute(
       lines, [&](Index line) { return int(lines.From.Port[line]); }, sorted);
     return sorted;
@@ -313,6 +319,10 @@ SortedSlices SortByPlanes(const Polylines& lines, const FrameOptions& options)
     sorter.Sort();
   }
   sorted.Frame = sorter.Frame();
+  if (options.Choice == FrameChoice::Automatic && sorted.Frame.IsWorld())
+  {
+    sorted.Frame = TurnWorld(lines, sorter.AxisOfLine());
+  }
   Distribute(
     lines, [&](Index line) { return int(sorter.AxisOfLine()[line]); }, sorted);
   if (!sorted.Frame.IsWorld())

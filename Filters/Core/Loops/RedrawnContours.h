@@ -22,7 +22,8 @@ namespace orthoslices
  * about as many crossings with the slice beside the two contours as these have with those slices.
  * Without any slices across, it is a wall if its two contours run in opposite directions, as those
  * of a cut solid do, and those of a neighbouring slice do so, too. `directionsCount`: those in
- * opposite directions always are a wall. Virtual contours do not count.
+ * opposite directions always are a wall. Else the sides of a wall do not cross each other. Virtual
+ * contours do not count.
  */
 void RemoveRedrawn(double share, bool directionsCount, const Execution& execution,
   Contours& contours, std::vector<Problem>& mended);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Loops/ThinWalls.h"
 
+#include "Core/Base/Predicates.h"
 #include "Core/Base/Vectors.h"
+#include "Core/Planar/SegmentTree.h"
 
 #include <algorithm>
 #include <limits>
@@ -26,6 +28,26 @@ double DistanceToSegment(const Contours& contours, Index contour, Index vertex, 
   const double square = SquaredDistance(p, q);
   const double share = square > 0.0 ? Dot(x - p, q - p) / square : 0.0;
   return Distance(x, Between(p, q, std::max(0.0, std::min(1.0, share))));
+}
+
+/// Whether two contours of a slice cross. The sides of a wall do not; what was drawn twice does.
+bool DoCross(const Contours& contours, const Repetition& repetition)
+{
+  const auto place = [&](Index vertex) { return Point2{ contours.U[vertex], contours.V[vertex] }; };
+  bool found = false;
+  const SegmentTree tree(contours, { repetition.First, repetition.Second });
+  tree.VisitOverlaps(
+    [&](SegmentTree::Segment s, SegmentTree::Segment t)
+    {
+      if (found || s.Contour == t.Contour)
+      {
+        return;
+      }
+      const Point2 a = place(s.Vertex), b = place(After(contours, s.Contour, s.Vertex));
+      const Point2 c = place(t.Vertex), d = place(After(contours, t.Contour, t.Vertex));
+      found = SideOf(a, b, c) * SideOf(a, b, d) < 0 && SideOf(c, d, a) * SideOf(c, d, b) < 0;
+    });
+  return found;
 }
 
 /// Looks for the sides of walls on the slices across.
@@ -183,7 +205,8 @@ std::vector<std::uint8_t> FindWalls(
           opposite.count({ axis, plane - 1 }) + opposite.count({ axis, plane + 1 }) > 0;
         walls[i] = repetition.Limit > 0.0 &&
           (hasAcross[axis] ? finder.IsWallAcross(repetition)
-                           : repetition.IsOpposite && isBetweenAlike);
+                           : repetition.IsOpposite && isBetweenAlike) &&
+          !DoCross(contours, repetition);
       }
     });
   return walls;

@@ -161,6 +161,29 @@ TEST(RedrawnContours, WallsThatOtherSlicesShowStay)
 }
 
 //----------------------------------------------------------------------------
+/// Slices across may have been drawn twice, too, so that they show two sides as those of a wall do.
+TEST(RedrawnContours, WhatCrossesItselfIsNoWall)
+{
+  PieceSets sets = EmptySets();
+  for (const double z : { 0.0, 2.0, 4.0 })
+  {
+    AddEllipse(sets[2], z, { 10.1, 9.9 });
+    AddEllipse(sets[2], z, { 9.9, 10.1 }, -7.5);
+  }
+  for (const double x : { -4.0, 0.3, 4.0 })
+  {
+    const double side = std::sqrt(100.0 - x * x);
+    for (const double more : { 0.05, -0.05 })
+    {
+      const double y = side + more, low = -1.0 + more, high = 5.0 + more;
+      AddPiece(sets[0], { { -y, low }, { y, low }, { y, high }, { -y, high } }, x);
+    }
+  }
+  Contours contours = Close(sets);
+  EXPECT_EQ(Remove(contours).size(), 6u);
+}
+
+//----------------------------------------------------------------------------
 TEST(RedrawnContours, OppositeSidesOnNeighbouringSlicesAreAWall)
 {
   for (const double step : { 7.5, -7.5 })
