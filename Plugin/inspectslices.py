@@ -10,9 +10,10 @@ what is selected in the pipeline browser; in a script
     layout = inspectslices.inspect(surface)    # an Orthogonal or Parallel Slice Reconstruction
 
 The layout has on the left the surface with a ball at every node point where contours disagree, larger
-and darker the more they do, the worst slice in blue, and the places that the slices leave open in
-green with the outline of the slice that would settle most of them; on the right the RMS disagreement
-of each slice over its plane, and the worst slice as it was drawn and as the other families have it.
+and darker the more they do, repairs in purple, the worst slice in blue, and the places that the slices
+leave open in green with the outline of the slice that would settle most of them; on the right the RMS
+disagreement of each slice over its plane, and the worst slice as it was drawn and as the other families
+have it.
 """
 
 import math
@@ -26,6 +27,7 @@ FILTERS = ("OrthogonalSliceReconstruction", "ParallelSliceReconstruction")
 SURFACE = [0.78, 0.76, 0.72]
 WORST = [0.05, 0.35, 0.85]
 OTHERS = [0.95, 0.55, 0.05]
+REPAIRS = [0.55, 0.10, 0.55]
 UNDECIDED = [0.10, 0.55, 0.30]
 SERIES = [[0.80, 0.22, 0.18], [0.16, 0.55, 0.25], [0.18, 0.36, 0.72]]
 TEXT = [0.1, 0.1, 0.1]
@@ -239,12 +241,22 @@ def draw_undecided(view, result, bounds, turned):
     show(plane, view, UNDECIDED, Representation="Feature Edges", LineWidth=3.0)
 
 
+def draw_repairs(view, result):
+    """Places where the slices contradicted each other so much that one had to give way."""
+    repairs = servermanager.Fetch(result, idx=0).GetFieldData().GetArray("NumberOfRepairs")
+    if repairs is not None and repairs.GetValue(0) > 0:
+        places = with_value(simple.OutputPort(result, 1), "CELLS", "Kind", 3, 255)
+        simple.RenameSource("Repairs", places)
+        show(places, view, REPAIRS, PointSize=5.0, RenderPointsAsSpheres=1)
+
+
 def draw_space(view, result, worst, rows, drawn):
     """The surface, the worst slice, the balls and the open places."""
     surface = servermanager.Fetch(result, idx=0)
     bounds, diagonal = surface.GetBounds(), diagonal_of(result)
     greatest = max(row["MaxDisagreement"] for row in rows)
     show(result, view, SURFACE, Opacity=0.35)
+    draw_repairs(view, result)
     draw_undecided(view, result, bounds, surface.GetFieldData().HasArray("FamilyNormals"))
     if not agree(result, rows):
         show(tube(drawn, 0.003 * diagonal), view, WORST)
@@ -374,7 +386,7 @@ def compose(result, rows, normal, drawn, expected):
 
 def frame(layout):
     """Has both render views show all that is in them; once more after the layout has another size."""
-    for cell, zoom in ((1, 1.25), (6, 1.15)):
+    for cell, zoom in ((1, 1.25), (6, 0.95)):
         view = layout.GetView(cell)
         view = servermanager._getPyProxy(view)
         simple.ResetCamera(view)

@@ -26,7 +26,7 @@ from paraview import simple
 from ReconstructFiles import load_plugin, save_screenshot
 
 AXES = "xyz"
-SIZE = [1120, 640]
+SIZE = [960, 560]
 
 
 def reconstruct(sources):

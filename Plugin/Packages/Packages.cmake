@@ -21,7 +21,8 @@ install(DIRECTORY Plugin/Examples
   PATTERN "__pycache__" EXCLUDE
   PATTERN "make-pictures.sh" EXCLUDE)
 if (ORTHOGONAL_SLICES_BUILD_PLUGIN)
-  install(DIRECTORY Plugin/Macros DESTINATION "${_documentation}" COMPONENT plugin)
+  install(DIRECTORY Plugin/Macros
+    DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/orthogonalslices" COMPONENT plugin)
 endif ()
 # A source archive for Python comes without data.
 if (EXISTS "${PROJECT_SOURCE_DIR}/Data/heart")

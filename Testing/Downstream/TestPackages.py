@@ -80,7 +80,7 @@ def make_packages(build, folder):
     examples = output_of("dpkg-deb", "-c", files["python"])
     assert "Examples/ReconstructAny.py" in examples and "heart/n32_x.vtp" in examples, examples
     plugin = output_of("dpkg-deb", "-c", files["plugin"])
-    assert "Macros/Inspect Slices.py" in plugin, plugin
+    assert "usr/share/orthogonalslices/Macros/Inspect Slices.py" in plugin, plugin
     return files
 
 
@@ -181,7 +181,8 @@ def check_use(system, downstream, menu):
         # The welcome dialog would wait for somebody.
         settings = system.root / "home-of-tests/.config/ParaView"
         settings.mkdir(parents=True)
-        (settings / "ParaView5.11.0.ini").write_text(
+        version = re.search(r"\d+\.\d+\.\d+", output_of("pvpython", "--version")).group()
+        (settings / f"ParaView{version}.ini").write_text(
             "[General]\nGeneralSettings.ShowWelcomeDialog=false\n", encoding="utf-8")
         system.run("xvfb-run", "-a", "-s", "-noreset -screen 0 1280x1024x24", "paraview", "--dr",
                    f"--test-directory={there}", f"--test-script={there}/{menu.name}", "--exit")
@@ -205,6 +206,8 @@ def check(system, files, downstream, menu):
     system.install(files)  # a second time changes nothing
     lines = (system.root / CONF).read_text(encoding="utf-8").splitlines()
     assert len(lines) == 1 and lines[0].endswith("OrthogonalSlices.plugins.xml"), lines
+    macro = "usr/bin/Macros/Inspect Slices.py"
+    assert (system.root / macro).exists(), "ParaView finds no macro"
     check_use(system, downstream, menu)
     # Another plugin's line stays.
     with open(system.root / CONF, "a", encoding="utf-8") as conf:
@@ -212,6 +215,7 @@ def check(system, files, downstream, menu):
     system.remove(files)
     left = (system.root / CONF).read_text(encoding="utf-8")
     assert left == "other.plugins.xml\n", f"{CONF} has {left!r}"
+    assert not os.path.lexists((system.root / macro).parent), "a link to macros that are gone is left"
 
 
 def main(build, downstream, menu):

@@ -12,6 +12,7 @@ array of NumPy (height, width, 3). What ParaView prints is in `window.log`.
 
 import os
 import pathlib
+import re
 import shutil
 import struct
 import subprocess
@@ -51,9 +52,11 @@ def pause(milliseconds):
 
 
 def menu(name, action, submenu=""):
-    """An entry of a menu or of its submenu, by their names in Qt."""
+    """An entry of a menu or of its submenu, by their names in Qt. Submenus come with the menu."""
     bar = "pqClientMainWindow/menubar"
-    return event(f"{bar}/{name}" + (f"/{submenu}" if submenu else ""), "activate", action)
+    if not submenu:
+        return event(f"{bar}/{name}", "activate", action)
+    return event(bar, "activate", name) + "\n" + event(f"{bar}/{name}/{submenu}", "activate", action)
 
 
 def apply():
@@ -67,6 +70,15 @@ def macro(name):
 def picture(name):
     """The screen after all that was asked for before has been drawn."""
     return pause(700) + "\n" + macro(f"Picture {name}")
+
+
+def paraview_version():
+    """Of the program that is started: 5.11.0. Its companion says it without a display."""
+    environment = dict(os.environ)
+    environment.pop("LD_LIBRARY_PATH", None)
+    text = subprocess.run(["pvpython", "--version"], env=environment, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, timeout=60).stdout
+    return re.search(r"\d+\.\d+\.\d+", text).group()
 
 
 class Window:
@@ -116,8 +128,7 @@ class Window:
         settings = scratch / "home" / ".config" / "ParaView"
         settings.mkdir(parents=True)
         text = SETTINGS.format(width=self.size[0], height=self.size[1])
-        for version in ("5.11.0", "5.13.2"):
-            (settings / f"ParaView{version}.ini").write_text(text)
+        (settings / f"ParaView{paraview_version()}.ini").write_text(text)
         script = scratch / "script.xml"
         script.write_text('<?xml version="1.0" ?>\n<pqevents>\n' + "\n".join(events) + "\n</pqevents>\n")
         environment = dict(os.environ, HOME=str(scratch / "home"), DISPLAY=f":{display}",
