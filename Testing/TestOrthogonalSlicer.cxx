@@ -859,8 +859,11 @@ TEST(OrthogonalSlicer, PointDataAreInterpolated)
   sphere->SetPhiResolution(20);
   sphere->Update();
   AddLinear(sphere->GetOutput());
-  vtkNew<vtkDelaunay3D> solid;
-  solid->SetInputData(sphere->GetOutput());
+  vtkNew<vtkImageData> box;
+  box->SetDimensions(5, 4, 4);
+  AddLinear(box);
+  vtkNew<vtkAppendFilter> solid; // a mesh of solid cells
+  solid->AddInputData(box);
   solid->Update();
   vtkDataSet* const inputs[] = { sphere->GetOutput(), solid->GetOutput() };
   for (vtkDataSet* input : inputs)
