@@ -859,11 +859,11 @@ TEST(OrthogonalSlicer, PointDataAreInterpolated)
   sphere->SetPhiResolution(20);
   sphere->Update();
   AddLinear(sphere->GetOutput());
-  vtkNew<vtkImageData> voxels;
-  voxels->SetDimensions(9, 9, 9);
-  AddLinear(voxels);
-  vtkNew<vtkAppendFilter> solid; // an unstructured grid
-  solid->SetInputData(voxels);
+  vtkNew<vtkImageData> box;
+  box->SetDimensions(5, 4, 4);
+  AddLinear(box);
+  vtkNew<vtkAppendFilter> solid; // a mesh of solid cells
+  solid->AddInputData(box);
   solid->Update();
   vtkDataSet* const inputs[] = { sphere->GetOutput(), solid->GetOutput() };
   for (vtkDataSet* input : inputs)

@@ -34,8 +34,12 @@ constexpr double ShareOfTriangles = 0.2;
 /// planes per axis get a twentieth more RMS distance in the mean, most of them from a seventh of
 /// the triangles or less. Rough shapes get less than in proportion, as their errors are in few
 /// places.
-constexpr double AccuracyByError = 8.4;
+constexpr double AccuracyByError = 8.5;
 constexpr double AccuracyByRoot = 0.66;
+/// Fewer patches are in proportion more accurate: they have few triangles in any case, of which all
+/// are as far from them as may be, not the worst alone.
+constexpr double ManyPatches = 600.0;
+constexpr double LeastShare = 0.25;
 constexpr double LeastAccuracy = 0.004; ///< exact data need no end of triangles
 
 /// The part of what slices disagree on, RMS, that the surface may be off them in any case. What is
@@ -203,8 +207,10 @@ double AccuracyOf(
     const PatchTables tables{ geometry, result.Cells, result.Normals, result.Surface.CentralPoints,
       result.Surface.Meshes };
     const double error = FitError(tables, execution) / spacing;
-    accuracy =
-      std::max(LeastAccuracy, std::min(AccuracyByError * error, AccuracyByRoot * std::sqrt(error)));
+    const double few =
+      std::max(LeastShare, std::min(1.0, result.Cycles.Count() / ManyPatches));
+    accuracy = std::max(
+      LeastAccuracy, few * std::min(AccuracyByError * error, AccuracyByRoot * std::sqrt(error)));
   }
   return std::max(accuracy, ShareOfDisagreement * DisagreementOf(result) / spacing);
 }

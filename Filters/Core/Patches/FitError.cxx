@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Patches/FitError.h"
 
+#include "Core/Patches/CreasePatch.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -44,13 +46,21 @@ double FitError(const PatchTables& tables, const Execution& execution)
     {
       SmoothPatchBuilder builder(tables.Geometry.Grid, PatchResolution());
       PatchBorder border;
+      InnerPatch crease;
       for (std::size_t i = begin; i < end; ++i)
       {
         border.Set(tables.Geometry, tables.Normals, chosen[i]);
         border.Turn();
-        if (builder.Fit(border))
+        double deviation = builder.Fit(border) ? builder.Deviation() : HUGE_VAL;
+        if (HasCorner(border, tables.Normals.Corners))
         {
-          squares[i] = builder.Deviation() * builder.Deviation();
+          const double ofCrease =
+            BuildCreasePatch(tables.Geometry.Grid, border, tables.Normals.Corners, crease);
+          deviation = ofCrease < deviation ? ofCrease : deviation;
+        }
+        if (std::isfinite(deviation))
+        {
+          squares[i] = deviation * deviation;
         }
       }
     });

@@ -8,9 +8,9 @@
 namespace orthoslices
 {
 /**
- * How far contours lie off surfaces without creases that are fitted to each patch, RMS of all
- * patches, or of some thousands, in world units: about as far as the smooth patches are from the object
- * between its contours. 0 if there are no patches that tell.
+ * How far contours lie off the surfaces that are fitted to each patch, smooth or with a crease, RMS
+ * of all patches, or of some thousands, in world units: about as far as the patches are from the
+ * object between its contours. 0 if there are no patches that tell.
  */
 double FitError(const PatchTables& tables, const Execution& execution);
 }
