@@ -25,7 +25,7 @@ namespace
 {
 /// The parts of PatchOptions::Accuracy that arcs with few vertices and better triangles may use up.
 /// What is left is for what they add to each other, and for the worst triangles, which may take
-/// twice as much: so contours are within the accuracy (G4).
+/// 1.7 times as much: so contours are within the accuracy (G4).
 constexpr double ShareOfArcs = 0.2;
 constexpr double ShareOfTriangles = 0.2;
 
@@ -36,9 +36,9 @@ constexpr double ShareOfTriangles = 0.2;
 /// places.
 constexpr double AccuracyByError = 8.5;
 constexpr double AccuracyByRoot = 0.66;
-/// Fewer patches are in proportion more accurate: they have few triangles in any case, of which all
-/// are as far from them as may be, not the worst alone.
-constexpr double ManyPatches = 600.0;
+/// Fewer rough patches are in proportion more accurate: they have few triangles in any case, of
+/// which all are as far from them as may be, not the worst alone.
+constexpr double ManyPatches = 300.0;
 constexpr double LeastShare = 0.25;
 constexpr double LeastAccuracy = 0.004; ///< exact data need no end of triangles
 
@@ -207,10 +207,9 @@ double AccuracyOf(
     const PatchTables tables{ geometry, result.Cells, result.Normals, result.Surface.CentralPoints,
       result.Surface.Meshes };
     const double error = FitError(tables, execution) / spacing;
-    const double few =
-      std::max(LeastShare, std::min(1.0, result.Cycles.Count() / ManyPatches));
+    const double few = std::max(LeastShare, std::min(1.0, result.Cycles.Count() / ManyPatches));
     accuracy = std::max(
-      LeastAccuracy, few * std::min(AccuracyByError * error, AccuracyByRoot * std::sqrt(error)));
+      LeastAccuracy, std::min(AccuracyByError * error, few * AccuracyByRoot * std::sqrt(error)));
   }
   return std::max(accuracy, ShareOfDisagreement * DisagreementOf(result) / spacing);
 }

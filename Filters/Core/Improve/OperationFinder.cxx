@@ -3,6 +3,7 @@
 #include "Core/Improve/OperationFinder.h"
 
 #include "Core/Base/Vectors.h"
+#include "Core/Improve/MakesFold.h"
 
 #include <algorithm>
 #include <cmath>
@@ -162,7 +163,7 @@ void OperationFinder::DescribeStar(Index point, Index gone, Index becomes)
     });
 }
 
-/// Whether an operation leaves triangles apart.
+/// Whether an operation leaves triangles apart, also those beside each other.
 bool OperationFinder::IsAllowed(const LocalOperation& operation)
 {
   const CornerTable& corners = this->State.Mesh.Corners;
@@ -206,7 +207,7 @@ bool OperationFinder::IsAllowed(const LocalOperation& operation)
   return (operation.What == LocalOperation::Kind::Collapse ||
            operation.What == LocalOperation::Kind::Move ||
            this->State.Samples.AreNear(this->Change, this->State.Mesh.Points, this->State.Slack)) &&
-    this->Guard.Allows(this->Change);
+    !MakesFold(corners, this->State.Mesh.Points, this->Change) && this->Guard.Allows(this->Change);
 }
 
 /// The squared lengths of a triangle's sides, ascending, and the corners across them.

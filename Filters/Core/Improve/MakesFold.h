@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesMakesFold_h
+#define OrthoSlicesMakesFold_h
+
+#include "Core/Improve/CrossingGuard.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/**
+ * Whether a change lets two triangles nearly lie on each other at their common side, enclosing less
+ * than five degrees, and less than any did there before. They do not cross then, but after rounding
+ * they may, and mesh generators refuse them.
+ */
+bool MakesFold(
+  const CornerTable& corners, const std::vector<Point3>& points, const SurfaceChange& change);
+}
+
+#endif
