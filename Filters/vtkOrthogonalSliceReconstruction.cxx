@@ -148,6 +148,11 @@ bool vtkOrthogonalSliceReconstruction::MakeOutputs(vtkInformationVector* outputs
   orthoslices::Options options;
   this->GetOptions(options);
   orthoslices::SortedSlices sorted = this->SortInputs(inputs);
+  this->InputRemarks = orthoslices::DescribeInputs(inputs);
+  if (this->WarnOfMissingFamilies)
+  {
+    this->InputRemarks += orthoslices::DescribeMissingFamilies(inputs, sorted);
+  }
   const bool doublePrecision = this->NeedsDoublePrecision(inputs, sorted);
   options.SinglePrecision = !doublePrecision;
   bool done = false;
@@ -213,7 +218,7 @@ bool vtkOrthogonalSliceReconstruction::ReconstructAll(orthoslices::SortedSlices&
     this, ProgressBeforeSurface, 1.0 - ProgressBeforeSurface);
   const bool done = this->WriteResult(
     std::move(result), others, options, [outputs]() { return outputs; }, text);
-  text += orthoslices::DescribeInputs(this->ListInputs());
+  text += this->InputRemarks;
   if (!done)
   {
     vtkErrorMacro(<< text);
@@ -260,8 +265,7 @@ bool vtkOrthogonalSliceReconstruction::WriteLabels(orthoslices::LabelSurfaces&& 
 {
   orthoslices::LabelOutputs appended(labels, outputs);
   std::ostringstream refused, report;
-  report << orthoslices::DescribeInputs(this->ListInputs())
-         << orthoslices::DescribeOverlaps(surfaces.Overlaps, labels)
+  report << this->InputRemarks << orthoslices::DescribeOverlaps(surfaces.Overlaps, labels)
          << orthoslices::DescribeLosses(surfaces.Losses, labels);
   bool any = false;
   const double share = (1.0 - ProgressBeforeSurface) / labels.Count();

@@ -846,6 +846,17 @@ public:
 
   ///@{
   /**
+   * Whether a warning says so if only the x-slices (port 0) have contours, and all of them are of one
+   * family: in a dialog that asks for three inputs, the others may have been forgotten. Default off;
+   * on in ParaView's Orthogonal Slice Reconstruction.
+   */
+  vtkSetMacro(WarnOfMissingFamilies, bool);
+  vtkGetMacro(WarnOfMissingFamilies, bool);
+  vtkBooleanMacro(WarnOfMissingFamilies, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether the surface gets point normals: those of the smooth surface, or of the triangles around
    * a point where there is no smooth surface. Default on.
    */
@@ -981,6 +992,7 @@ private:
   vtkMultiProcessController* Controller = nullptr;
   orthoslices::ProcessGroup* Processes = nullptr; ///< during RequestData: this one or several
   std::vector<vtkSmartPointer<vtkDataObject>> GatheredInputs; ///< of all ports, if several
+  std::string InputRemarks; ///< what to tell the user of the inputs of this update
   std::string LabelArray;
   vtkNew<vtkStringArray> CellArrayNames; ///< see GetCellArrayNames
   double PlaneTolerance = 1e-5;
@@ -1009,6 +1021,7 @@ private:
   int CentralPoint = LEAST_SQUARES;
   double AxisWeights[3] = { 1.0, 1.0, 1.0 };
   double ReportTolerance = 1e-3;
+  bool WarnOfMissingFamilies = false;
   int Frame = AUTOMATIC_FRAME;
   double FrameNormals[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 };
   bool InsertMissingContours = true;

@@ -265,6 +265,7 @@ void vtkOrthogonalSliceReconstruction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AxisWeights: " << this->AxisWeights[0] << " " << this->AxisWeights[1] << " "
      << this->AxisWeights[2] << "\n";
   os << indent << "ReportTolerance: " << this->ReportTolerance << "\n";
+  os << indent << "WarnOfMissingFamilies: " << (this->WarnOfMissingFamilies ? "On" : "Off") << "\n";
   os << indent << "ComputeNormals: " << (this->ComputeNormals ? "On" : "Off") << "\n";
   os << indent << "ComputeCurvatures: " << (this->ComputeCurvatures ? "On" : "Off") << "\n";
   os << indent << "PassCellArrays: " << (this->PassCellArrays ? "On" : "Off") << "\n";

@@ -17,6 +17,7 @@
 #include "Support/TurnedSlices.h"
 #include "Support/Vtk/PolyDataMesh.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -188,6 +189,39 @@ TEST(Inputs, WhatIsNoContoursIsNamedOnce)
     EXPECT_TRUE(run.Errors.empty());
     ASSERT_EQ(run.Warnings.size(), input.Warning ? 1u : 0u);
     EXPECT_TRUE(!input.Warning || run.Warnings[0].find(input.Warning) != std::string::npos);
+  }
+}
+
+//----------------------------------------------------------------------------
+TEST(Inputs, MissingFamiliesAreNamedIfAskedFor)
+{
+  vtkNew<vtkSphereSource> model;
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputConnection(model->GetOutputPort());
+  slicer->SetNumberOfSlices(7, 7, 7);
+  vtkNew<vtkAppendPolyData> all;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    all->AddInputConnection(slicer->GetOutputPort(axis));
+  }
+  const struct
+  {
+    vtkAlgorithmOutput* Contours;
+    int Port;
+    bool Asked, Warns;
+  } cases[] = { { slicer->GetOutputPort(0), 0, true, true },
+    { slicer->GetOutputPort(2), 0, true, true }, { slicer->GetOutputPort(0), 0, false, false },
+    { slicer->GetOutputPort(2), 2, true, false }, { slicer->GetOutputPort(0), 3, true, false },
+    { all->GetOutputPort(), 0, true, false } };
+  for (const auto& input : cases)
+  {
+    FilterRun run;
+    run.Filter->SetInputConnection(input.Port, input.Contours);
+    run.Filter->SetWarnOfMissingFamilies(input.Asked);
+    EXPECT_GT(run.Update()->GetNumberOfCells(), 0);
+    EXPECT_TRUE(run.Errors.empty());
+    ASSERT_EQ(run.Warnings.size(), input.Warns ? 1u : 0u);
+    EXPECT_TRUE(!input.Warns || run.Warnings[0].find("Only the x-slices") != std::string::npos);
   }
 }
 

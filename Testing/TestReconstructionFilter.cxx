@@ -228,7 +228,8 @@ TEST(ReconstructionFilter, PrintsEveryProperty)
          "BorderContours: CloseAlongBorder", "BorderBounds: 0 -1 0 -1 0 -1",
          "CrossingContours: ", "LoopRule: Union", "RedrawnTolerance: 0.05", "Frame: Automatic",
          "FrameNormals: 1 0 0 0 1 0 0 0 1", "CentralPoint: ", "AxisWeights: 1 1 1",
-         "ReportTolerance: 0.001", "ComputeNormals: ", "OutputPointsPrecision: " })
+         "ReportTolerance: 0.001", "WarnOfMissingFamilies: Off",
+         "ComputeNormals: ", "OutputPointsPrecision: " })
   {
     EXPECT_TRUE(Contains(text.str(), name)) << name;
   }

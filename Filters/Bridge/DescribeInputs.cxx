@@ -3,10 +3,12 @@
 #include "Bridge/DescribeInputs.h"
 
 #include "Bridge/ReadPieces.h"
+#include "Core/Frames/SortByPlanes.h"
 
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace orthoslices
@@ -30,6 +32,26 @@ bool IsModel(vtkPolyData* data)
   return data->GetNumberOfLines() == 0 && polygons >= LeastOfModel &&
     data->GetPolys()->GetMaxCellSize() <= 4 && 2 * data->GetNumberOfPoints() < 3 * polygons;
 }
+
+/// What there is in the data sets of an input.
+struct InputSize
+{
+  vtkIdType Contours = 0, Points = 0;
+  bool IsModel = false;
+};
+
+InputSize SizeOf(vtkDataObject* input)
+{
+  InputSize size;
+  VisitPolyData(input,
+    [&](vtkPolyData* data, Index)
+    {
+      size.Contours += data->GetNumberOfLines() + data->GetNumberOfPolys();
+      size.Points += data->GetNumberOfPoints();
+      size.IsModel |= IsModel(data);
+    });
+  return size;
+}
 }
 
 std::string DescribeInputs(const std::vector<vtkDataObject*>& inputs)
@@ -37,21 +59,13 @@ std::string DescribeInputs(const std::vector<vtkDataObject*>& inputs)
   std::ostringstream text;
   for (std::size_t port = 0; port < inputs.size(); ++port)
   {
-    vtkIdType contours = 0, points = 0;
-    bool isModel = false;
-    VisitPolyData(inputs[port],
-      [&](vtkPolyData* data, Index)
-      {
-        contours += data->GetNumberOfLines() + data->GetNumberOfPolys();
-        points += data->GetNumberOfPoints();
-        isModel |= IsModel(data);
-      });
-    if (contours == 0 && points > 0)
+    const InputSize size = SizeOf(inputs[port]);
+    if (size.Contours == 0 && size.Points > 0)
     {
-      text << "\nThe " << NameOfPort(port) << " (port " << port << ") are " << points
+      text << "\nThe " << NameOfPort(port) << " (port " << port << ") are " << size.Points
            << " points without lines or polygons: no contours, and a family without slices.";
     }
-    else if (isModel)
+    else if (size.IsModel)
     {
       text << "\nThe " << NameOfPort(port) << " (port " << port
            << ") look like the surface of a model: their polygons share their points. Orthogonal "
@@ -59,5 +73,28 @@ std::string DescribeInputs(const std::vector<vtkDataObject*>& inputs)
     }
   }
   return text.str();
+}
+
+std::string DescribeMissingFamilies(
+  const std::vector<vtkDataObject*>& inputs, const SortedSlices& sorted)
+{
+  for (std::size_t port = 0; port < inputs.size(); ++port)
+  {
+    if ((SizeOf(inputs[port]).Contours > 0) != (port == 0))
+    {
+      return std::string();
+    }
+  }
+  const auto families = std::count_if(sorted.Slices.begin(), sorted.Slices.end(),
+    [](const Pieces& slices) { return slices.Count() > 0; });
+  if (families > 1)
+  {
+    return std::string();
+  }
+  return "\nOnly the x-slices (port 0) are given, and all of them lie on parallel planes. If there "
+         "are "
+         "slices in other directions, give them, too (in ParaView: Edit, Change Input). For one "
+         "family "
+         "of slices there is Parallel Slice Reconstruction.";
 }
 }

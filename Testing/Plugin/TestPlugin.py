@@ -66,6 +66,7 @@ def check_defaults():
         "PassCellArrays": 1,
         "CentralPoint": "Least Squares",
         "ComputeNormals": 1,
+        "WarnOfMissingFamilies": 1,
         "OutputPointsPrecision": "Same as input",
     }
     compare_defaults(reconstruct_sliced(slicer), expected)
