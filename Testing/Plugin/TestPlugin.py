@@ -282,7 +282,7 @@ def check_properties_of_parallel():
     check(own - others == {"Input"}, f"of its own: {own - others}")
     families = {"XSlices", "YSlices", "Contours", "CellArrayNames", "AxisWeights",
                 "ReportTolerance", "FollowField", "SeveralCycles", "MinimumIsolatedContourSize",
-                "ContourTolerance", "CentralPoint"}
+                "ContourTolerance", "CentralPoint", "WarnOfMissingFamilies"}
     check(others - own == families, f"it lacks {others - own - families}, has {families & own}")
     for name in own & others - {"LabelArray", "ZSlices"}:
         values = [proxy.GetPropertyValue(name) for proxy in (parallel, rec)]

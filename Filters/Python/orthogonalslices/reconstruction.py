@@ -125,6 +125,7 @@ def reconstruct(
     axis_weights: Optional[Triple] = None,
     plane_tolerance: Optional[float] = None,
     report_tolerance: Optional[float] = None,
+    warn_of_missing_families: Optional[bool] = None,
     virtual_slices: Union[VirtualSlices, int, None] = None,
     virtual_slice_spacing: Optional[float] = None,
     follow_field: Optional[bool] = None,
