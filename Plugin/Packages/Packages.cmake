@@ -23,6 +23,12 @@ install(DIRECTORY Plugin/Examples
 if (ORTHOGONAL_SLICES_BUILD_PLUGIN)
   install(DIRECTORY Plugin/Macros
     DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/orthogonalslices" COMPONENT plugin)
+  if (ORTHOGONAL_SLICES_PLUGIN_HELP)
+    # The pages for a browser, too.
+    install(DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/Plugin/paraview_help/"
+      DESTINATION "${_documentation}/Help" COMPONENT plugin
+      FILES_MATCHING PATTERN "*.html" PATTERN "*.png")
+  endif ()
 endif ()
 # A source archive for Python comes without data.
 if (EXISTS "${PROJECT_SOURCE_DIR}/Data/heart")
@@ -41,7 +47,7 @@ foreach (file IN LISTS files)
   file(REMOVE "$ENV{DESTDIR}${file}")
   cmake_path(GET file PARENT_PATH folder)
   # Each folder after those in it; the prefix and what is not empty stay.
-  while (folder MATCHES "/(OrthogonalSlices|orthogonalslices|Formats|Examples|Macros|heart)(/|$)")
+  while (folder MATCHES "/(OrthogonalSlices|orthogonalslices|Formats|Examples|Help|Macros|heart)(/|$)")
     file(GLOB entries "$ENV{DESTDIR}${folder}/*")
     if (entries)
       break ()
@@ -179,17 +185,18 @@ orthogonal_slices_package(plugin science
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 
 #--------------------------------------------------------------------------------------------------
-# Scripts of the packages. The linker learns of the library. ParaView reads paraview.conf beside its
-# program: in each line a list of plugins, relative to that folder. Debian's has none; another plugin
-# may have written one.
+# Scripts of the packages. The linker learns of the library. ParaView loads what is in the folder
+# plugins beside its program; Debian's has none, and that of another plugin may be there.
 file(WRITE "${_packages}/triggers" "activate-noawait ldconfig\n")
 # Programs that were linked with the library need this package, or a later one.
 file(WRITE "${_packages}/shlibs" "libvtkFiltersOrthogonalSlices ${ORTHOGONAL_SLICES_SOVERSION} "
   "${_runtime_package} (>= ${_version})\n")
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${_packages}/triggers" "${_packages}/shlibs")
 if (ORTHOGONAL_SLICES_BUILD_PLUGIN)
-  file(RELATIVE_PATH _line "/prefix/${CMAKE_INSTALL_BINDIR}"
-    "/prefix/${CMAKE_INSTALL_LIBDIR}/${_plugin_subdirectory}/OrthogonalSlices.plugins.xml")
+  file(RELATIVE_PATH _plugin_link "/prefix/${CMAKE_INSTALL_BINDIR}/plugins"
+    "/prefix/${CMAKE_INSTALL_LIBDIR}/${_plugin_subdirectory}/OrthogonalSlices/OrthogonalSlices.so")
+  file(RELATIVE_PATH _macros_link "/prefix/${CMAKE_INSTALL_BINDIR}"
+    "/prefix/${CMAKE_INSTALL_DATAROOTDIR}/orthogonalslices/Macros")
 endif ()
 foreach (_component IN ITEMS python plugin)
   string(TOUPPER "${_component}" _upper)

@@ -23,7 +23,7 @@ PACKAGES = {
     "plugin": "paraview-orthogonalslices",
 }
 PROGRAMS = ("paraview", "pvpython")
-CONF = "usr/bin/paraview.conf"
+PLUGINS = "usr/bin/plugins"
 
 LISTED = """
 from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
@@ -81,6 +81,8 @@ def make_packages(build, folder):
     assert "Examples/ReconstructAny.py" in examples and "heart/n32_x.vtp" in examples, examples
     plugin = output_of("dpkg-deb", "-c", files["plugin"])
     assert "usr/share/orthogonalslices/Macros/Inspect Slices.py" in plugin, plugin
+    if shutil.which("qhelpgenerator"):
+        assert "doc/orthogonalslices/Help/filters.OrthogonalSlicer.html" in plugin, plugin
     return files
 
 
@@ -204,17 +206,14 @@ def check(system, files, downstream, menu):
     (system.root / "downstream").mkdir()
     system.install(files)
     system.install(files)  # a second time changes nothing
-    lines = (system.root / CONF).read_text(encoding="utf-8").splitlines()
-    assert len(lines) == 1 and lines[0].endswith("OrthogonalSlices.plugins.xml"), lines
     macro = "usr/bin/Macros/Inspect Slices.py"
     assert (system.root / macro).exists(), "ParaView finds no macro"
     check_use(system, downstream, menu)
-    # Another plugin's line stays.
-    with open(system.root / CONF, "a", encoding="utf-8") as conf:
-        conf.write("other.plugins.xml\n")
+    # Another plugin stays.
+    (system.root / PLUGINS / "Other.so").touch()
     system.remove(files)
-    left = (system.root / CONF).read_text(encoding="utf-8")
-    assert left == "other.plugins.xml\n", f"{CONF} has {left!r}"
+    left = os.listdir(system.root / PLUGINS)
+    assert left == ["Other.so"], f"{PLUGINS} has {left}"
     assert not os.path.lexists((system.root / macro).parent), "a link to macros that are gone is left"
 
 

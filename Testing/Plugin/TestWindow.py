@@ -125,7 +125,7 @@ def check_picture(found, baseline):
 def main(plugin, macros, baselines, new=None):
     version = paraview_version()
     baseline = pathlib.Path(baselines) / f"Window-{version.rsplit('.', 1)[0]}.png"
-    # ParaView 5.13 of Debian 13, with Qt 6, does not show the help pages of plugins.
+    # ParaView 5.13 with Qt 6 opens its collection of help pages for reading only, and takes none.
     is_known = version.startswith("5.11.")
     with tempfile.TemporaryDirectory() as folder:
         window = Window(plugin, [macros], SIZE)
