@@ -5,7 +5,7 @@ ParaView, installs them into a clean root, uses them there without any path set,
 
 The clean root is this system with the packages on top of it, in a mount namespace: nothing of it is
 seen from outside, or stays. Where mounting is not allowed, the packages are unpacked into an empty
-folder beside copies of ParaView's programs; then C++ and Python are told where they lie.
+folder beside copies of ParaView's programs; then C++, Python and the linker are told where they lie.
 """
 
 import os
@@ -154,7 +154,8 @@ class Folder(System):
 
     def run(self, *command):
         environment = {**os.environ, "HOME": str(self.root / "home-of-tests"),
-                       "PYTHONPATH": str(self.root / "usr/lib/python3/dist-packages")}
+                       "PYTHONPATH": str(self.root / "usr/lib/python3/dist-packages"),
+                       "LD_LIBRARY_PATH": ":".join(str(lib) for lib in self.root.glob("usr/lib/*-*-*"))}
         environment.pop("PV_PLUGIN_PATH", None)
         program = self.root / "usr" / "bin" / command[0]
         words = [str(program) if command[0] in PROGRAMS else command[0]]
