@@ -243,10 +243,11 @@ bool LabelRunner::MakeDense()
       toFill.push_back(&pass.Stages);
     }
   }
-  return FillTogether(this->Settings.Patching, toFill);
+  return FillTogether(this->Settings.Patching, toFill, this->Accuracy);
 }
 
-void LabelRunner::SettleCells()
+/// The surfaces of the structures that are compared.
+std::vector<StructureSurface> LabelRunner::ListSurfaces()
 {
   std::vector<StructureSurface> structures;
   for (LabelPass& pass : this->Passes)
@@ -257,7 +258,12 @@ void LabelRunner::SettleCells()
       structures.push_back({ GeometryOf(result), result.Normals, result.Surface });
     }
   }
-  this->Counts = SettleCommonCells(structures, this->Settings.Patching, this->Execute);
+  return structures;
+}
+
+void LabelRunner::SettleCells()
+{
+  this->Counts = SettleCommonCells(this->ListSurfaces(), this->Settings.Patching, this->Execute);
   for (LabelPass& pass : this->Passes)
   {
     if (pass.IsRead)
@@ -290,6 +296,7 @@ bool LabelRunner::Run()
     return false;
   }
   this->SettleCells();
+  ImproveTogether(this->Accuracy, this->Settings.Patching, this->ListSurfaces(), this->Execute);
   this->TakeReports();
   return true;
 }

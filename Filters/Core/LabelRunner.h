@@ -102,6 +102,7 @@ private:
   void MoveOffVertices(const SpatialGrid& grid, VirtualPlanes& planes) const;
   VirtualPlanes PlanesFor(const SpatialGrid& grid, const VirtualPlanes& common) const;
   void ShareVirtual(const std::vector<LabelPass*>& passes, bool withUnion);
+  std::vector<StructureSurface> ListSurfaces();
   void SettleCells();
   std::vector<Index> ListRead() const;
   double Thickness() const;
@@ -117,6 +118,7 @@ private:
   std::set<Point3> Junctions;
   std::array<std::vector<double>, 3> Planes;        ///< of all labels
   EmptyPlanes WhichPlanes = EmptyPlanes::NotPassed; ///< of these, on which a label is not drawn
+  double Accuracy = 0.0; ///< of surfaces with few triangles, in spacings; 0: all triangles
   std::array<std::set<double>, 3> Filled; ///< planes with contours of labels that were lacking
 };
 }

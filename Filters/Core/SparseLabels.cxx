@@ -277,7 +277,7 @@ bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
     }
     toFill.push_back(&passes[i]->Sparse->ToFill());
   }
-  if (!FillTogether(this->Settings.Patching, toFill))
+  if (!FillTogether(this->Settings.Patching, toFill, this->Accuracy))
   {
     return false;
   }
