@@ -230,7 +230,7 @@ bool LabelRunner::MakeDense()
   for (std::size_t i = 0; i < this->Passes.size(); ++i)
   {
     LabelPass& pass = this->Passes[i];
-    pass.SetProgress(ProgressOfReading, 1.0, i, this->Passes.size());
+    pass.SetProgress(ProgressOfReading, this->EndOfFilling(), i, this->Passes.size());
     if (pass.IsRead)
     {
       pass.Stages.SetOtherPlanes(this->Planes, this->WhichPlanes);
@@ -275,6 +275,28 @@ void LabelRunner::SettleCells()
   }
 }
 
+/// The progress when surfaces are made, but for the shape of their triangles.
+double LabelRunner::EndOfFilling() const
+{
+  const PatchOptions& patching = this->Settings.Patching;
+  return patching.Accuracy > 0.0 || patching.OwnAccuracy ? ProgressOfFilling : 1.0;
+}
+
+/// Triangles of good shape, if they are to be few. How far that is nobody knows, but it can be
+/// stopped.
+void LabelRunner::ImproveTriangles()
+{
+  const Execution watched = Watch(this->Execute,
+    [this](std::size_t, std::size_t)
+    {
+      if (!this->Execute.Continue(this->EndOfFilling()))
+      {
+        throw Stopped();
+      }
+    });
+  ImproveTogether(this->Accuracy, this->Settings.Patching, this->ListSurfaces(), watched);
+}
+
 bool LabelRunner::Run()
 {
   if (!this->Read())
@@ -296,7 +318,7 @@ bool LabelRunner::Run()
     return false;
   }
   this->SettleCells();
-  ImproveTogether(this->Accuracy, this->Settings.Patching, this->ListSurfaces(), this->Execute);
+  this->ImproveTriangles();
   this->TakeReports();
   return true;
 }

@@ -22,6 +22,9 @@ namespace orthoslices
 constexpr double ProgressOfReading = 0.2;
 constexpr double ProgressOfDrawing = 0.5;
 
+/// Where triangles are to be few, how much all takes until they are improved.
+constexpr double ProgressOfFilling = 0.75;
+
 /// The stages of one label, and what has to outlive them.
 struct LabelPass
 {
@@ -104,6 +107,8 @@ private:
   void ShareVirtual(const std::vector<LabelPass*>& passes, bool withUnion);
   std::vector<StructureSurface> ListSurfaces();
   void SettleCells();
+  double EndOfFilling() const;
+  void ImproveTriangles();
   std::vector<Index> ListRead() const;
   double Thickness() const;
   /// Points as they are in contours that were rounded to multiples of a quantum, if it is not 0.

@@ -22,7 +22,7 @@ CommonSheets::CommonSheets(
       static_cast<Index>(this->Surfaces.back().Points.size()), this->Surfaces.back().Triangles);
   }
   this->FindSites();
-  this->Found = this->AreSitesSingle() && this->FindTriangles();
+  this->Found = this->FindTriangles();
   if (this->Found)
   {
     this->FindSheets();
@@ -32,6 +32,7 @@ CommonSheets::CommonSheets(
     this->FindFixed();
     this->FollowBorders();
     this->NumberPoints(keepContours);
+    this->Found = this->AreBordersSingle();
   }
 }
 
@@ -58,17 +59,6 @@ void CommonSheets::FindSites()
     this->Sites += i == 0 || std::get<0>(places[i - 1]) != place ? 1 : 0;
     this->SiteOf[s][point] = this->Sites - 1;
   }
-}
-
-bool CommonSheets::AreSitesSingle() const
-{
-  return std::all_of(this->SiteOf.begin(), this->SiteOf.end(),
-    [](std::vector<Index> sites)
-    {
-      std::sort(sites.begin(), sites.end());
-      const auto first = std::upper_bound(sites.begin(), sites.end(), -1);
-      return std::adjacent_find(first, sites.end()) == sites.end();
-    });
 }
 
 Index CommonSheets::SiteAt(const Member& member, int i) const
@@ -291,6 +281,21 @@ void CommonSheets::FollowBorders()
       ++this->Numbers.Beyond;
     }
   }
+}
+
+/// Whether no two edges of borders join the same points: they would be one edge of a corner table.
+bool CommonSheets::AreBordersSingle() const
+{
+  std::vector<std::pair<Index, Index>> edges;
+  for (Index corner = 0; corner < 3 * this->Count(); ++corner)
+  {
+    if (this->Opposite[corner] < 0)
+    {
+      edges.push_back(std::minmax(this->StartOf(corner), this->EndOf(corner)));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
 }
 
 /// The point of a structure at a corner.

@@ -24,7 +24,8 @@ public:
   CommonSheets(
     const std::vector<StructureSurface>& structures, bool keepContours, const Execution& execution);
 
-  /// Whether that could be made of them: in none, two points that are used lie at the same place.
+  /// Whether that could be made of them: none has the same triangle twice, and no sheet
+  /// two borders along the same edge.
   bool AreFound() const { return this->Found; }
 
   /// As a mesh to be improved, whose first points are to stay where they are, and how many these are.
@@ -52,7 +53,6 @@ private:
   };
 
   void FindSites();
-  bool AreSitesSingle() const;
   bool FindTriangles();
   void AddTriangle(const std::vector<SitesOfTriangle>& all, std::size_t begin);
   void FindSheets();
@@ -61,6 +61,7 @@ private:
   void FindPoints();
   void FindFixed();
   void FollowBorders();
+  bool AreBordersSingle() const;
   Index Count() const { return static_cast<Index>(this->Corners.size()); }
   Index SiteAt(const Member& member, int i) const;
   Index CornerAt(Index triangle, Index site) const;
