@@ -32,7 +32,7 @@ ROOMS_BELOW = {
     "Core/Surface": ["Core/Slabs", "Core/Patches"],
     "Core/Sparse": ["Core/Surface", "Core/Slicing"],
     "Core/Improve": ["Core/Surface"],
-    "Core/Labels": ["Core/Sparse", "Core/Loops"],
+    "Core/Labels": ["Core/Sparse", "Core/Improve", "Core/Loops"],
     "Core": ["Core/Labels", "Core/Improve", "Core/Pieces", "Core/Frames"],
     "Bridge": ["Core"],
     ".": ["Bridge"],

@@ -230,7 +230,7 @@ bool LabelRunner::MakeDense()
   for (std::size_t i = 0; i < this->Passes.size(); ++i)
   {
     LabelPass& pass = this->Passes[i];
-    pass.SetProgress(ProgressOfReading, 1.0, i, this->Passes.size());
+    pass.SetProgress(ProgressOfReading, this->EndOfFilling(), i, this->Passes.size());
     if (pass.IsRead)
     {
       pass.Stages.SetOtherPlanes(this->Planes, this->WhichPlanes);
@@ -243,10 +243,11 @@ bool LabelRunner::MakeDense()
       toFill.push_back(&pass.Stages);
     }
   }
-  return FillTogether(this->Settings.Patching, toFill);
+  return FillTogether(this->Settings.Patching, toFill, this->Accuracy);
 }
 
-void LabelRunner::SettleCells()
+/// The surfaces of the structures that are compared.
+std::vector<StructureSurface> LabelRunner::ListSurfaces()
 {
   std::vector<StructureSurface> structures;
   for (LabelPass& pass : this->Passes)
@@ -257,7 +258,12 @@ void LabelRunner::SettleCells()
       structures.push_back({ GeometryOf(result), result.Normals, result.Surface });
     }
   }
-  this->Counts = SettleCommonCells(structures, this->Settings.Patching, this->Execute);
+  return structures;
+}
+
+void LabelRunner::SettleCells()
+{
+  this->Counts = SettleCommonCells(this->ListSurfaces(), this->Settings.Patching, this->Execute);
   for (LabelPass& pass : this->Passes)
   {
     if (pass.IsRead)
@@ -267,6 +273,28 @@ void LabelRunner::SettleCells()
       pass.Separated = std::max<Index>(0, pass.Stages.Result.Topology.Components - before);
     }
   }
+}
+
+/// The progress when surfaces are made, but for the shape of their triangles.
+double LabelRunner::EndOfFilling() const
+{
+  const PatchOptions& patching = this->Settings.Patching;
+  return patching.Accuracy > 0.0 || patching.OwnAccuracy ? ProgressOfFilling : 1.0;
+}
+
+/// Triangles of good shape, if they are to be few. How far that is nobody knows, but it can be
+/// stopped.
+void LabelRunner::ImproveTriangles()
+{
+  const Execution watched = Watch(this->Execute,
+    [this](std::size_t, std::size_t)
+    {
+      if (!this->Execute.Continue(this->EndOfFilling()))
+      {
+        throw Stopped();
+      }
+    });
+  ImproveTogether(this->Accuracy, this->Settings.Patching, this->ListSurfaces(), watched);
 }
 
 bool LabelRunner::Run()
@@ -290,6 +318,7 @@ bool LabelRunner::Run()
     return false;
   }
   this->SettleCells();
+  this->ImproveTriangles();
   this->TakeReports();
   return true;
 }

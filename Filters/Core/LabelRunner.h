@@ -22,6 +22,9 @@ namespace orthoslices
 constexpr double ProgressOfReading = 0.2;
 constexpr double ProgressOfDrawing = 0.5;
 
+/// Where triangles are to be few, how much all takes until they are improved.
+constexpr double ProgressOfFilling = 0.75;
+
 /// The stages of one label, and what has to outlive them.
 struct LabelPass
 {
@@ -102,7 +105,10 @@ private:
   void MoveOffVertices(const SpatialGrid& grid, VirtualPlanes& planes) const;
   VirtualPlanes PlanesFor(const SpatialGrid& grid, const VirtualPlanes& common) const;
   void ShareVirtual(const std::vector<LabelPass*>& passes, bool withUnion);
+  std::vector<StructureSurface> ListSurfaces();
   void SettleCells();
+  double EndOfFilling() const;
+  void ImproveTriangles();
   std::vector<Index> ListRead() const;
   double Thickness() const;
   /// Points as they are in contours that were rounded to multiples of a quantum, if it is not 0.
@@ -117,6 +123,7 @@ private:
   std::set<Point3> Junctions;
   std::array<std::vector<double>, 3> Planes;        ///< of all labels
   EmptyPlanes WhichPlanes = EmptyPlanes::NotPassed; ///< of these, on which a label is not drawn
+  double Accuracy = 0.0; ///< of surfaces with few triangles, in spacings; 0: all triangles
   std::array<std::set<double>, 3> Filled; ///< planes with contours of labels that were lacking
 };
 }

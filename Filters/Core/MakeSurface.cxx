@@ -8,6 +8,7 @@
 #include "Core/Graph/EmbedArcs.h"
 #include "Core/Graph/SimplifyArcs.h"
 #include "Core/Improve/ImproveSurface.h"
+#include "Core/Labels/ImproveStructures.h"
 #include "Core/Labels/LightenStructures.h"
 #include "Core/PatchAllCells.h"
 #include "Core/Patches/DivideCycles.h"
@@ -267,15 +268,22 @@ void LayOutPatches(const PatchOptions& patching, LightGraph&& light, Pass& pass)
   pass.Finish(Stage::LayOutTriangles);
 }
 
+/// What may be done to triangles, without points that are kept.
+ImprovementLimits LimitsOf(double accuracy, const SpatialGrid& grid)
+{
+  ImprovementLimits limits;
+  limits.Tolerance = ShareOfTriangles * accuracy * MinMeanSpacing(grid);
+  limits.SmallAngle = GoodAngle;
+  return limits;
+}
+
 /// Triangles of good shape, if they are to be few.
 void ImproveIfLight(double accuracy, Pass& pass)
 {
   Reconstruction& result = pass.Result;
   if (accuracy > 0.0 && result.Grid.Metric.IsWorld())
   {
-    ImprovementLimits limits;
-    limits.Tolerance = ShareOfTriangles * accuracy * MinMeanSpacing(result.Grid);
-    limits.SmallAngle = GoodAngle;
+    ImprovementLimits limits = LimitsOf(accuracy, result.Grid);
     limits.Kept = pass.Settings.Patching.KeepContours ? result.Graph.Count() : 0;
     ImproveSurface(GeometryOf(result), result.Normals, limits, pass.Execute, result.Surface);
   }
@@ -308,7 +316,8 @@ bool FillCycles(const PatchOptions& options, Pass& pass)
   return pass.GoOn();
 }
 
-bool FillTogether(const PatchOptions& options, const std::vector<Pass*>& structures)
+bool FillTogether(
+  const PatchOptions& options, const std::vector<Pass*>& structures, double& accuracy)
 {
   PatchOptions patching = options;
   patching.Accuracy = HUGE_VAL;
@@ -328,6 +337,7 @@ bool FillTogether(const PatchOptions& options, const std::vector<Pass*>& structu
     light =
       LightenStructures(surfaces, ShareOfArcs * patching.Accuracy, structures.front()->Execute);
   }
+  accuracy = structures.empty() ? 0.0 : patching.Accuracy;
   for (std::size_t i = 0; i < structures.size(); ++i)
   {
     structures[i]->Result.Accuracy = options.KeepContours ? 0.0 : patching.Accuracy;
@@ -340,5 +350,18 @@ bool FillTogether(const PatchOptions& options, const std::vector<Pass*>& structu
     }
   }
   return true;
+}
+
+void ImproveTogether(double accuracy, const PatchOptions& patching,
+  const std::vector<StructureSurface>& structures, const Execution& execution)
+{
+  if (!structures.empty() && accuracy > 0.0)
+  {
+    const SpatialGrid& grid = structures.front().Geometry.Grid;
+    if (grid.Metric.IsWorld())
+    {
+      ImproveStructures(structures, LimitsOf(accuracy, grid), patching.KeepContours, execution);
+    }
+  }
 }
 }

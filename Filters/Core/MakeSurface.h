@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesMakeSurface_h
 #define OrthoSlicesMakeSurface_h
 
+#include "Core/Labels/CommonCells.h"
 #include "Core/Pass.h"
 
 #include <vector>
@@ -29,10 +30,15 @@ void DivideSurface(Pass& pass);
 bool FillCycles(const PatchOptions& patching, Pass& pass);
 
 /// FillCycles for several structures that have the same planes around their cells. If triangles are
-/// to be few, arcs are drawn for all of them at once (LightenStructures), with the least accuracy
-/// of all, and triangles are not improved, as they have to stay the same on common borders. False:
-/// stopped.
-bool FillTogether(const PatchOptions& patching, const std::vector<Pass*>& structures);
+/// to be few, arcs are drawn for all of them at once (LightenStructures), with the least accuracy of
+/// all, which is set. False: stopped.
+bool FillTogether(
+  const PatchOptions& patching, const std::vector<Pass*>& structures, double& accuracy);
+
+/// Triangles of good shape for several structures, if they are to be few: if the accuracy that
+/// FillTogether set is not 0.
+void ImproveTogether(double accuracy, const PatchOptions& patching,
+  const std::vector<StructureSurface>& structures, const Execution& execution);
 
 /// Whether the real slices are cuts of one solid: contours meet to within a small part of a
 /// spacing.

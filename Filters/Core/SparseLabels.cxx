@@ -270,14 +270,14 @@ bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
   std::vector<Pass*> toFill;
   for (std::size_t i = 0; i < passes.size(); ++i)
   {
-    passes[i]->SetProgress(ProgressOfDrawing, 1.0, i, passes.size());
+    passes[i]->SetProgress(ProgressOfDrawing, this->EndOfFilling(), i, passes.size());
     if (!passes[i]->Sparse->Connect())
     {
       return false;
     }
     toFill.push_back(&passes[i]->Sparse->ToFill());
   }
-  if (!FillTogether(this->Settings.Patching, toFill))
+  if (!FillTogether(this->Settings.Patching, toFill, this->Accuracy))
   {
     return false;
   }

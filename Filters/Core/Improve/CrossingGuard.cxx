@@ -49,11 +49,12 @@ std::vector<Box3> BoxesOf(const CornerTable& corners, const std::vector<Point3>&
   return boxes;
 }
 
-CrossingGuard::CrossingGuard(
-  const CornerTable& corners, const std::vector<Point3>& points, const BoxTree& boxes)
+CrossingGuard::CrossingGuard(const CornerTable& corners, const std::vector<Point3>& points,
+  const BoxTree& boxes, const SheetBorders& borders)
   : Corners(corners)
   , Points(points)
   , Boxes(boxes)
+  , Borders(borders)
 {
 }
 
@@ -70,8 +71,8 @@ CrossingGuard::Places CrossingGuard::PlacesOf(const std::array<Index, 3>& triang
 
 std::array<Index, 3> CrossingGuard::CornersOf(Index triangle) const
 {
-  return { this->Corners.VertexOf(3 * triangle), this->Corners.VertexOf(3 * triangle + 1),
-    this->Corners.VertexOf(3 * triangle + 2) };
+  const auto at = [&](Index i) { return this->Borders.SiteOf(this->Corners.VertexOf(i)); };
+  return { at(3 * triangle), at(3 * triangle + 1), at(3 * triangle + 2) };
 }
 
 bool CrossingGuard::IsRemoved(Index triangle) const
@@ -109,13 +110,15 @@ void CrossingGuard::SetChange(const SurfaceChange& change)
   for (const std::array<Index, 3>& triangle : change.Added)
   {
     const Places places = this->PlacesOf(triangle);
-    this->Added.push_back({ places, BoxOf(places) });
+    this->Added.push_back({ { this->Borders.SiteOf(triangle[0]), this->Borders.SiteOf(triangle[1]),
+                              this->Borders.SiteOf(triangle[2]) },
+      places, BoxOf(places) });
   }
   this->ChooseAxis();
   this->AddedCorners.clear();
-  for (const std::array<Index, 3>& triangle : change.Added)
+  for (const AddedTriangle& triangle : this->Added)
   {
-    for (const Index point : triangle)
+    for (const Index point : triangle.Points)
     {
       if (!this->IsCornerOfAdded(point))
       {
@@ -131,8 +134,9 @@ void CrossingGuard::SetChange(const SurfaceChange& change)
 void CrossingGuard::ListAround(Index point)
 {
   this->Around.clear();
-  for (const std::array<Index, 3>& triangle : this->Change->Added)
+  for (const AddedTriangle& added : this->Added)
   {
+    const std::array<Index, 3>& triangle = added.Points;
     for (int i = 0; i < 3; ++i)
     {
       if (triangle[i] == point)
@@ -146,21 +150,25 @@ void CrossingGuard::ListAround(Index point)
   {
     return;
   }
-  this->Corners.ForCornersAt(point,
-    [&](Index corner)
+  const auto add = [&](Index corner)
+  {
+    if (!this->IsRemoved(corner / 3) && !this->Borders.IsBeyond(this->Corners, corner / 3))
     {
-      if (!this->IsRemoved(corner / 3))
-      {
-        this->Around.push_back({ point, this->Corners.VertexOf(CornerTable::Next(corner)),
-          this->Corners.VertexOf(CornerTable::Previous(corner)) });
-      }
-    });
+      this->Around.push_back({ point, this->Borders.SiteOf(this->Corners.StartOf(corner)),
+        this->Borders.SiteOf(this->Corners.EndOf(corner)) });
+    }
+  };
+  this->Borders.ForCopiesOf(point, [&](Index copy) { this->Corners.ForCornersAt(copy, add); });
 }
 
 /// Whether the triangles that were listed around a point pass around it once in the projection, all
 /// in the same direction: then they meet nowhere but in common sides.
 bool CrossingGuard::IsFan(Index point) const
 {
+  if (this->Borders.HasCopies(point))
+  {
+    return false; // several fans, which may overlap
+  }
   const Point2 center = this->Project(this->PlaceOf(point));
   int turns = 0;
   for (const std::array<Index, 3>& triangle : this->Around)
@@ -245,7 +253,7 @@ void CrossingGuard::ListClose(Index triangle, const std::array<Index, 3>& corner
   for (std::size_t i = 0; i < this->Added.size(); ++i)
   {
     if (this->Added[i].Box.Meets(box) &&
-      !(isBeside && HaveCommonCorner(this->Change->Added[i], corners)))
+      !(isBeside && HaveCommonCorner(this->Added[i].Points, corners)))
     {
       this->Close.push_back(i);
     }
@@ -269,9 +277,41 @@ bool CrossingGuard::IsApart(Index triangle)
     [&](std::size_t i) { return CertainlyApart(own, this->Added[i].Corners); });
 }
 
+/// Whether a side is new and joins places that another side joins, or a place with itself.
+bool CrossingGuard::DoublesSide(Index a, Index b) const
+{
+  const bool mayBe = this->Borders.HasCopies(a) || this->Borders.HasCopies(b);
+  if (!mayBe || std::max(a, b) >= this->Corners.PointCount() || this->Corners.FindEdge(a, b) >= 0)
+  {
+    return false;
+  }
+  bool doubles = this->Borders.AreCopies(a, b);
+  this->Borders.ForCopiesOf(a,
+    [&](Index p)
+    {
+      this->Borders.ForCopiesOf(
+        b, [&](Index q) { doubles = doubles || this->Corners.AreAdjacent(p, q); });
+    });
+  return doubles;
+}
+
+bool CrossingGuard::DoublesAnySide() const
+{
+  return std::any_of(this->Change->Added.begin(), this->Change->Added.end(),
+    [&](const std::array<Index, 3>& t)
+    {
+      return this->DoublesSide(t[0], t[1]) || this->DoublesSide(t[1], t[2]) ||
+        this->DoublesSide(t[2], t[0]);
+    });
+}
+
 bool CrossingGuard::Allows(const SurfaceChange& change)
 {
   this->SetChange(change);
+  if (this->Borders.Beyond > 0 && this->DoublesAnySide())
+  {
+    return false;
+  }
   Box3 box;
   for (const Corner& corner : this->AddedCorners)
   {

@@ -4,6 +4,7 @@
 #define OrthoSlicesCrossingGuard_h
 
 #include "Core/Improve/BoxTree.h"
+#include "Core/Improve/SheetBorders.h"
 #include "Core/Surface/CornerTable.h"
 
 #include <vector>
@@ -31,7 +32,8 @@ std::vector<Box3> BoxesOf(const CornerTable& corners, const std::vector<Point3>&
  * so if some were replaced by others with the same border. What lies around one point and is a fan
  * in a projection along an axis needs no tests of pairs, and neither does what a line in that
  * projection separates; the rest is tested triangle against triangle. All tests are exact, or say
- * no when they are not certain. Time does not grow with the surface, where few triangles are near
+ * no when they are not certain. Where sheets meet, their points at one place count as one, and a
+ * side between two of these places stays the only one. Time does not grow with the surface, where few triangles are near
  * each other.
  */
 class CrossingGuard
@@ -39,8 +41,8 @@ class CrossingGuard
 public:
   /// The surface is the caller's, who changes it, and the boxes around its triangles. Several guards
   /// may look at it at the same time.
-  CrossingGuard(
-    const CornerTable& corners, const std::vector<Point3>& points, const BoxTree& boxes);
+  CrossingGuard(const CornerTable& corners, const std::vector<Point3>& points, const BoxTree& boxes,
+    const SheetBorders& borders = SheetBorders::None());
 
   bool Allows(const SurfaceChange& change);
 
@@ -59,6 +61,7 @@ private:
   /// A triangle that is added.
   struct AddedTriangle
   {
+    std::array<Index, 3> Points; ///< of those at one place the first one, as everywhere here
     Places Corners;
     Box3 Box;
   };
@@ -76,6 +79,8 @@ private:
   Point2 Project(const Point3& place) const;
   void ListAround(Index point);
   bool IsFan(Index point) const;
+  bool DoublesSide(Index a, Index b) const;
+  bool DoublesAnySide() const;
   bool AreApartAround(Index point);
   bool LineSeparates(const std::array<Index, 3>& triangle) const;
   bool PlaneSeparates(const std::array<Index, 3>& triangle) const;
@@ -85,6 +90,7 @@ private:
   const CornerTable& Corners;
   const std::vector<Point3>& Points;
   const BoxTree& Boxes;
+  const SheetBorders& Borders;
   const SurfaceChange* Change = nullptr;
   std::vector<AddedTriangle> Added;
   std::vector<Corner> AddedCorners;

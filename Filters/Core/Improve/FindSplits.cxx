@@ -51,12 +51,13 @@ void OperationFinder::WidenCavity(const Point3& place)
     const Point3 across = Cross(q - p, x - place);
     const double length = Length(across);
     const double shift = length > 0.0 ? std::abs(Dot(x - p, across)) / length : HUGE_VAL;
-    const bool isNew = std::none_of(sides.begin(), sides.end(),
-      [&](Index other)
-      {
-        return other / 3 == beyond / 3 ||
-          (other != side && corners.OppositeOf(other) / 3 == beyond / 3);
-      });
+    const bool isNew = !corners.IsCurve(side) &&
+      std::none_of(sides.begin(), sides.end(),
+        [&](Index other)
+        {
+          return other / 3 == beyond / 3 ||
+            (other != side && corners.OppositeOf(other) / 3 == beyond / 3);
+        });
     if (isNew && std::min(SquaredSine(first), SquaredSine(second)) > LeastGain * before &&
       CosineBetween(AreaOf(first), around) >= this->State.LeastCosine &&
       CosineBetween(AreaOf(second), around) >= this->State.LeastCosine &&
@@ -78,11 +79,12 @@ void OperationFinder::WidenCavity(const Point3& place)
 bool OperationFinder::IsCavitySimple() const
 {
   const CornerTable& corners = this->State.Mesh.Corners;
+  const SheetBorders& borders = this->State.Mesh.Borders;
   for (std::size_t i = 0; i < this->Cavity.size(); ++i)
   {
     for (std::size_t k = 0; k < i; ++k)
     {
-      if (corners.StartOf(this->Cavity[i]) == corners.StartOf(this->Cavity[k]))
+      if (borders.AreCopies(corners.StartOf(this->Cavity[i]), corners.StartOf(this->Cavity[k])))
       {
         return false;
       }
@@ -117,14 +119,15 @@ void OperationFinder::TrySplits(Index triangle, LocalOperation& best)
 void OperationFinder::TrySplit(Index corner, double share, LocalOperation& best)
 {
   const CornerTable& corners = this->State.Mesh.Corners;
+  if (corners.IsCurve(corner))
+  {
+    return;
+  }
   const Index across = corners.OppositeOf(corner);
   const Index start = corners.StartOf(corner), end = corners.EndOf(corner);
   const Point3 place = Between(this->State.At(start), this->State.At(end), share);
-  LocalOperation split{ LocalOperation::Kind::Split, corner, -1, {}, 0.0 };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    split.Place[axis] = this->State.Grid.MoveIntoBounds(axis, place[axis]);
-  }
+  LocalOperation split{ LocalOperation::Kind::Split, corner, -1,
+    this->State.MoveIntoBounds(start, place), 0.0 };
   if (this->WasRefused(split))
   {
     return;

@@ -3,7 +3,8 @@
 #ifndef OrthoSlicesImprovableMesh_h
 #define OrthoSlicesImprovableMesh_h
 
-#include "Core/Surface/CornerTable.h"
+#include "Core/Base/Box.h"
+#include "Core/Improve/SheetBorders.h"
 
 #include <vector>
 
@@ -21,6 +22,10 @@ struct ImprovableMesh
   /// Points from that one on are inside patches.
   Index FirstInside = 0;
   std::vector<Index> Origins{}; ///< of each triangle that is new: one that was where it is
+  SheetBorders Borders{};       ///< if it has sheets that meet
+  /// Boxes that parts of the surface may not leave, and of each point which one; empty: none.
+  std::vector<Box3> Rooms{};
+  std::vector<Index> RoomOf{};
 };
 
 /// What may be done to a surface.

@@ -8,12 +8,7 @@
 
 namespace orthoslices
 {
-namespace
-{
-/// The triangles that are left, in the order of those that they were part of at first, and the
-/// numbers of these.
-void ListLeft(const ImprovableMesh& mesh, std::vector<std::array<Index, 3>>& triangles,
-  std::vector<Index>& numbers)
+TrianglesLeft ListLeft(const ImprovableMesh& mesh)
 {
   const CornerTable& corners = mesh.Corners;
   const Index count = corners.CornerCount() / 3;
@@ -21,7 +16,7 @@ void ListLeft(const ImprovableMesh& mesh, std::vector<std::array<Index, 3>>& tri
   std::vector<std::pair<Index, Index>> left;
   for (Index i = 0; i < count; ++i)
   {
-    if (corners.IsAlive(3 * i))
+    if (corners.IsAlive(3 * i) && !mesh.Borders.IsBeyond(corners, i))
     {
       left.emplace_back(i < given ? i : mesh.Origins[i - given], i);
     }
@@ -30,15 +25,16 @@ void ListLeft(const ImprovableMesh& mesh, std::vector<std::array<Index, 3>>& tri
   {
     std::sort(left.begin(), left.end());
   }
+  TrianglesLeft result;
   for (const auto& [number, i] : left)
   {
-    triangles.push_back(
+    result.Triangles.push_back(
       { corners.VertexOf(3 * i), corners.VertexOf(3 * i + 1), corners.VertexOf(3 * i + 2) });
-    numbers.push_back(number);
+    result.Numbers.push_back(number);
   }
+  return result;
 }
 
-/// The surface's normals at all points; zero where it has none.
 std::vector<Point3> ListNormals(
   const SurfaceNormals& normals, const Patches& patches, Index graphPoints, std::size_t count)
 {
@@ -52,7 +48,6 @@ std::vector<Point3> ListNormals(
   return result;
 }
 
-/// Of each triangle of a patch that is no smooth one, the number of its cycle; else -1.
 std::vector<Index> ListPlain(const Patches& patches)
 {
   std::vector<Index> plain(static_cast<std::size_t>(patches.TriangleCount()), -1);
@@ -71,24 +66,27 @@ std::vector<Index> ListPlain(const Patches& patches)
   return plain;
 }
 
-/// Numbers the points that are in use from 0 on. Those after the first `given` ones are new.
-void SetImproved(const ImprovableMesh& mesh, const std::vector<std::array<Index, 3>>& triangles,
-  const std::vector<Index>& numbers, std::size_t given, Patches& patches)
+void SetImproved(
+  const std::vector<Point3>& points, std::size_t given, const TrianglesLeft& left, Patches& patches)
 {
+  std::vector<Index> places(points.size(), -1);
+  for (const std::array<Index, 3>& triangle : left.Triangles)
+  {
+    places[triangle[0]] = places[triangle[1]] = places[triangle[2]] = 0;
+  }
   ImprovedTriangles& improved = patches.Improved;
   improved = {};
-  std::vector<Index> places(mesh.Points.size(), -1);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    if (mesh.Corners.IsUsed(static_cast<Index>(i)))
+    if (places[i] >= 0)
     {
       places[i] = static_cast<Index>(improved.Origin.size());
       improved.Origin.push_back(i < given ? static_cast<std::int64_t>(i) : -1);
-      improved.Points.insert(improved.Points.end(), mesh.Points[i].begin(), mesh.Points[i].end());
+      improved.Points.insert(improved.Points.end(), points[i].begin(), points[i].end());
     }
   }
-  improved.Corners.reserve(3 * triangles.size());
-  for (const std::array<Index, 3>& triangle : triangles)
+  improved.Corners.reserve(3 * left.Triangles.size());
+  for (const std::array<Index, 3>& triangle : left.Triangles)
   {
     for (const Index corner : triangle)
     {
@@ -100,13 +98,12 @@ void SetImproved(const ImprovableMesh& mesh, const std::vector<std::array<Index,
   {
     // The end of this patch becomes that of its triangles that are left.
     const std::int64_t end = patches.Offsets[cycle + 1];
-    while (next < numbers.size() && numbers[next] < end)
+    while (next < left.Numbers.size() && left.Numbers[next] < end)
     {
       ++next;
     }
     patches.Offsets[cycle + 1] = static_cast<std::int64_t>(next);
   }
-}
 }
 
 void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals,
@@ -122,9 +119,6 @@ void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals
   ImprovableMesh mesh{ CornerTable(static_cast<Index>(count), all.Triangles), std::move(all.Points),
     std::move(normalAt), ListPlain(patches), geometry.Graph.Count() };
   MeshImprover(geometry.Grid, limits, execution, mesh).Run();
-  std::vector<std::array<Index, 3>> triangles;
-  std::vector<Index> numbers;
-  ListLeft(mesh, triangles, numbers);
-  SetImproved(mesh, triangles, numbers, count, patches);
+  SetImproved(mesh.Points, count, ListLeft(mesh), patches);
 }
 }

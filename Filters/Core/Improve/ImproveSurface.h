@@ -6,8 +6,33 @@
 #include "Core/Improve/MeshImprover.h"
 #include "Core/Surface/LayOutTriangles.h"
 
+#include <vector>
+
 namespace orthoslices
 {
+/// Triangles that are left of a surface, each with the number of one that was where it is, by which
+/// they are in ascending order.
+struct TrianglesLeft
+{
+  std::vector<std::array<Index, 3>> Triangles;
+  std::vector<Index> Numbers;
+};
+
+/// Those of an improved mesh, without what is beyond its borders.
+TrianglesLeft ListLeft(const ImprovableMesh& mesh);
+
+/// The surface's normals at all points; zero where it has none.
+std::vector<Point3> ListNormals(
+  const SurfaceNormals& normals, const Patches& patches, Index graphPoints, std::size_t count);
+
+/// Of each triangle of a patch that is no smooth one, the number of its cycle; else -1.
+std::vector<Index> ListPlain(const Patches& patches);
+
+/// Sets Patches::Improved: those of the points that are corners, numbered from 0 on. Points after
+/// the first `given` ones are new.
+void SetImproved(const std::vector<Point3>& points, std::size_t given, const TrianglesLeft& left,
+  Patches& patches);
+
 /**
  * Shapes the triangles of a surface well (MeshImprover), so that no two meet but in their common
  * edge or vertex: changed triangles are tested against all near them, and where any may meet, the

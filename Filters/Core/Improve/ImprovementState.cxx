@@ -2,21 +2,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Improve/ImprovementState.h"
 
+#include <algorithm>
+
 namespace orthoslices
 {
+namespace
+{
+/// The boxes of all triangles that are part of the surface; others are empty.
+std::vector<Box3> BoxesOfParts(const ImprovableMesh& mesh)
+{
+  std::vector<Box3> boxes = BoxesOf(mesh.Corners, mesh.Points);
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+  {
+    boxes[i] = mesh.Borders.IsBeyond(mesh.Corners, static_cast<Index>(i)) ? Box3() : boxes[i];
+  }
+  return boxes;
+}
+}
+
 ImprovementState::ImprovementState(
   const SpatialGrid& grid, const ImprovementLimits& limits, ImprovableMesh& mesh)
   : Grid(grid)
   , Mesh(mesh)
   , Kept(limits.Kept)
-  , Boxes(BoxesOf(mesh.Corners, mesh.Points))
+  , Boxes(BoxesOfParts(mesh))
   , Samples(mesh, limits)
 {
   const Index count = mesh.Corners.CornerCount() / 3;
-  this->Qualities.reserve(count);
+  this->Qualities.resize(count);
   for (Index triangle = 0; triangle < count; ++triangle)
   {
-    this->Qualities.push_back(SquaredSine(this->PlacesOf(triangle)));
+    this->Qualities[triangle] =
+      this->IsPart(triangle) ? SquaredSine(this->PlacesOf(triangle)) : 1.0;
   }
+}
+
+void ImprovementState::Update(Index triangle)
+{
+  const bool isPart = this->IsPart(triangle);
+  this->Boxes.Set(
+    triangle, isPart ? BoxOf(this->Mesh.Corners, this->Mesh.Points, triangle) : Box3());
+  this->Qualities[triangle] = isPart ? SquaredSine(this->PlacesOf(triangle)) : 1.0;
+}
+
+Point3 ImprovementState::MoveIntoBounds(Index point, const Point3& place) const
+{
+  Point3 moved;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    moved[axis] = this->Grid.MoveIntoBounds(axis, place[axis]);
+    if (!this->Mesh.Rooms.empty())
+    {
+      const Box3& room = this->Mesh.Rooms[this->Mesh.RoomOf[point]];
+      moved[axis] = std::max(room.Low[axis], std::min(room.High[axis], moved[axis]));
+    }
+  }
+  return moved;
 }
 }

@@ -25,13 +25,23 @@ struct ImprovementState
       this->At(corners.VertexOf(3 * triangle + 2)) };
   }
   double QualityOf(Index triangle) const { return this->Qualities[triangle]; }
+  /// Whether a triangle is part of the surface: it is not gone, nor beyond a border.
+  bool IsPart(Index triangle) const
+  {
+    const CornerTable& corners = this->Mesh.Corners;
+    return corners.IsAlive(3 * triangle) && !this->Mesh.Borders.IsBeyond(corners, triangle);
+  }
+  /// Looks at a triangle, which has changed.
+  void Update(Index triangle);
+  /// A place for a point, or for one beside it, within the bounds of the surface.
+  Point3 MoveIntoBounds(Index point, const Point3& place) const;
 
   const SpatialGrid& Grid;
   ImprovableMesh& Mesh;
   Index Kept;    ///< the first so many points stay where they are
   BoxTree Boxes; ///< of the triangles
   SurfaceSamples Samples;
-  std::vector<double> Qualities; ///< of each triangle: its SquaredSine; 1 if it is gone
+  std::vector<double> Qualities; ///< of each triangle: its SquaredSine; 1 if it is none
   double Slack = 1.0;            ///< how many tolerances the surface may move,
   double LeastCosine = 0.0;      ///< by which angle triangles may turn,
   double LeastOfCollapse = 0.0;  ///< and the least gain of a collapse, as a factor of the quality

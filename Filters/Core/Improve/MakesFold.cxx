@@ -14,99 +14,171 @@ namespace
 /// The cosine of the angle between the normals of triangles that enclose five degrees.
 constexpr double FoldCosine = -0.9962;
 
-/// A side of a triangle, by the numbers of its ends, the smaller one first.
+/// A side of a triangle, by the places of its ends, the one with the smaller number first.
 struct Side
 {
   std::array<Index, 2> Ends;
-  Point3 Normal; ///< of the triangle, of any length
+  Point3 Normal; ///< of the triangle, of any length, as it is seen where the side runs that way
 };
 
-void AddSides(const std::array<Index, 3>& triangle, const Point3& normal, std::vector<Side>& sides)
+/// The sides of the triangles around a place that changes.
+class SidesAround
 {
-  for (int i = 0; i < 3; ++i)
+public:
+  SidesAround(const CornerTable& corners, const std::vector<Point3>& points,
+    const SurfaceChange& change, const SheetBorders& borders)
+    : Corners(corners)
+    , Points(points)
+    , Change(change)
+    , Borders(borders)
   {
-    const Index a = triangle[i], b = triangle[(i + 1) % 3];
-    sides.push_back({ { std::min(a, b), std::max(a, b) }, normal });
   }
-}
 
-std::array<Index, 3> CornersOf(const CornerTable& corners, Index triangle)
-{
-  return { corners.VertexOf(3 * triangle), corners.VertexOf(3 * triangle + 1),
-    corners.VertexOf(3 * triangle + 2) };
-}
-
-/// One side of each triangle around those that are removed: the one at which they meet.
-void AddSidesAround(const CornerTable& corners, const std::vector<Point3>& points,
-  const SurfaceChange& change, std::vector<Side>& sides)
-{
-  const auto& removed = change.Removed;
-  for (const Index triangle : removed)
+  double SharpestBefore()
   {
-    for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+    this->AddBeside();
+    for (const Index triangle : this->Change.Removed)
     {
-      const Index across = corners.OppositeOf(corner) / 3;
-      if (std::find(removed.begin(), removed.end(), across) != removed.end())
+      this->AddAll(this->CornersOf(triangle),
+        [&](Index point) -> const Point3& { return this->Points[point]; });
+    }
+    return this->Sharpest();
+  }
+
+  double SharpestAfter()
+  {
+    this->AddBeside();
+    for (const std::array<Index, 3>& triangle : this->Change.Added)
+    {
+      this->AddAll(triangle,
+        [&](Index point) -> const Point3&
+        { return point == this->Change.Point ? this->Change.Place : this->Points[point]; });
+    }
+    return this->Sharpest();
+  }
+
+private:
+  std::array<Index, 3> CornersOf(Index triangle) const
+  {
+    return { this->Corners.VertexOf(3 * triangle), this->Corners.VertexOf(3 * triangle + 1),
+      this->Corners.VertexOf(3 * triangle + 2) };
+  }
+
+  bool IsRemoved(Index triangle) const
+  {
+    const std::vector<Index>& removed = this->Change.Removed;
+    return std::find(removed.begin(), removed.end(), triangle) != removed.end();
+  }
+
+  /// Adds the side from a to b of a triangle.
+  void Add(Index a, Index b, const Point3& normal)
+  {
+    const Index from = this->Borders.SiteOf(a), to = this->Borders.SiteOf(b);
+    this->Sides.push_back(
+      { { std::min(from, to), std::max(from, to) }, from < to ? normal : -1.0 * normal });
+  }
+
+  template <typename Place>
+  void AddAll(const std::array<Index, 3>& t, Place&& placeOf)
+  {
+    const Point3 normal = AreaOf({ placeOf(t[0]), placeOf(t[1]), placeOf(t[2]) });
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Add(t[i], t[(i + 1) % 3], normal);
+    }
+  }
+
+  /// Adds the edge of a corner.
+  void AddEdge(Index corner)
+  {
+    const auto [p, q, r] = this->CornersOf(corner / 3);
+    this->Add(this->Corners.StartOf(corner), this->Corners.EndOf(corner),
+      AreaOf({ this->Points[p], this->Points[q], this->Points[r] }));
+  }
+
+  /// Adds a curve between two points, as a side of all triangles that stay.
+  void AddCurve(Index a, Index b)
+  {
+    const Index from = this->Borders.SiteOf(a), to = this->Borders.SiteOf(b);
+    const std::array<Index, 2> ends{ std::min(from, to), std::max(from, to) };
+    if (std::any_of(this->Sides.begin(), this->Sides.end(),
+          [&](const Side& side) { return side.Ends == ends; }))
+    {
+      return; // it was added from its other side
+    }
+    this->Borders.ForCopiesOf(a,
+      [&](Index copy)
       {
-        continue;
-      }
-      const Index a = corners.StartOf(corner), b = corners.EndOf(corner);
-      const auto [p, q, r] = CornersOf(corners, across);
-      sides.push_back(
-        { { std::min(a, b), std::max(a, b) }, AreaOf({ points[p], points[q], points[r] }) });
-    }
+        this->Corners.ForCornersAt(copy,
+          [&](Index corner)
+          {
+            for (const Index at : { CornerTable::Next(corner), CornerTable::Previous(corner) })
+            {
+              const Index other = this->Corners.VertexOf(at == CornerTable::Next(corner)
+                  ? CornerTable::Previous(corner)
+                  : CornerTable::Next(corner));
+              if (this->Borders.AreCopies(other, b) && !this->IsRemoved(corner / 3) &&
+                !this->Borders.IsBeyond(this->Corners, corner / 3))
+              {
+                this->AddEdge(at);
+              }
+            }
+          });
+      });
   }
-}
 
-/// The least cosine of the angle between normals at a side.
-double SharpestOf(std::vector<Side>& sides)
-{
-  std::stable_sort(
-    sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.Ends < b.Ends; });
-  double sharpest = 1.0;
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+  /// Adds one side of each triangle around those that are removed: the one at which they meet.
+  void AddBeside()
   {
-    if (sides[i].Ends == sides[i + 1].Ends)
+    this->Sides.clear();
+    for (const Index triangle : this->Change.Removed)
     {
-      sharpest = std::min(sharpest, CosineBetween(sides[i].Normal, sides[i + 1].Normal));
+      for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+      {
+        const Index across = this->Corners.OppositeOf(corner);
+        if (this->Corners.IsCurve(corner))
+        {
+          this->AddCurve(this->Corners.StartOf(corner), this->Corners.EndOf(corner));
+        }
+        else if (!this->IsRemoved(across / 3))
+        {
+          this->AddEdge(across);
+        }
+      }
     }
   }
-  return sharpest;
-}
 
-double SharpestBefore(
-  const CornerTable& corners, const std::vector<Point3>& points, const SurfaceChange& change)
-{
-  std::vector<Side> sides;
-  AddSidesAround(corners, points, change, sides);
-  for (const Index triangle : change.Removed)
+  /// The least cosine of the angle between normals at a side.
+  double Sharpest()
   {
-    const std::array<Index, 3> ends = CornersOf(corners, triangle);
-    AddSides(ends, AreaOf({ points[ends[0]], points[ends[1]], points[ends[2]] }), sides);
+    std::stable_sort(this->Sides.begin(), this->Sides.end(),
+      [](const Side& a, const Side& b) { return a.Ends < b.Ends; });
+    double sharpest = 1.0;
+    for (std::size_t i = 0; i < this->Sides.size(); ++i)
+    {
+      for (std::size_t k = i + 1;
+           k < this->Sides.size() && this->Sides[k].Ends == this->Sides[i].Ends; ++k)
+      {
+        // One of two neighbours runs through the side the other way.
+        sharpest = std::min(sharpest, -CosineBetween(this->Sides[i].Normal, this->Sides[k].Normal));
+      }
+    }
+    return sharpest;
   }
-  return SharpestOf(sides);
+
+  const CornerTable& Corners;
+  const std::vector<Point3>& Points;
+  const SurfaceChange& Change;
+  const SheetBorders& Borders;
+  std::vector<Side> Sides;
+};
 }
 
-double SharpestAfter(
-  const CornerTable& corners, const std::vector<Point3>& points, const SurfaceChange& change)
+bool MakesFold(const CornerTable& corners, const std::vector<Point3>& points,
+  const SurfaceChange& change, const SheetBorders& borders)
 {
-  const auto placeOf = [&](Index point) -> const Point3&
-  { return point == change.Point ? change.Place : points[point]; };
-  std::vector<Side> sides;
-  AddSidesAround(corners, points, change, sides);
-  for (const auto& triangle : change.Added)
-  {
-    AddSides(triangle, AreaOf({ placeOf(triangle[0]), placeOf(triangle[1]), placeOf(triangle[2]) }),
-      sides);
-  }
-  return SharpestOf(sides);
-}
-}
-
-bool MakesFold(
-  const CornerTable& corners, const std::vector<Point3>& points, const SurfaceChange& change)
-{
-  const double after = SharpestAfter(corners, points, change);
-  return after < FoldCosine && after < SharpestBefore(corners, points, change);
+  SidesAround sides(corners, points, change, borders);
+  const double after = sides.SharpestAfter();
+  return after < FoldCosine && after < sides.SharpestBefore();
 }
 }

@@ -4,6 +4,7 @@
 #define OrthoSlicesMakesFold_h
 
 #include "Core/Improve/CrossingGuard.h"
+#include "Core/Improve/SheetBorders.h"
 
 #include <vector>
 
@@ -12,10 +13,10 @@ namespace orthoslices
 /**
  * Whether a change lets two triangles nearly lie on each other at their common side, enclosing less
  * than five degrees, and less than any did there before. They do not cross then, but after rounding
- * they may, and mesh generators refuse them.
+ * they may, and mesh generators refuse them. Where sheets meet, all that have that side count.
  */
-bool MakesFold(
-  const CornerTable& corners, const std::vector<Point3>& points, const SurfaceChange& change);
+bool MakesFold(const CornerTable& corners, const std::vector<Point3>& points,
+  const SurfaceChange& change, const SheetBorders& borders = SheetBorders::None());
 }
 
 #endif

@@ -82,7 +82,7 @@ MeshImprover::MeshImprover(const SpatialGrid& grid, const ImprovementLimits& lim
   , Execute(execution)
   , Mesh(mesh)
   , State(grid, limits, mesh)
-  , Guard(mesh.Corners, mesh.Points, this->State.Boxes)
+  , Guard(mesh.Corners, mesh.Points, this->State.Boxes, mesh.Borders)
   , TrianglesAtFirst(this->State.Qualities.size())
   , TouchedAt(mesh.Points.size(), 1)
   , FailedAt(this->TrianglesAtFirst)
@@ -95,10 +95,8 @@ MeshImprover::MeshImprover(const SpatialGrid& grid, const ImprovementLimits& lim
 /// Notes that a triangle has changed.
 void MeshImprover::Note(Index triangle)
 {
-  const bool isAlive = this->Mesh.Corners.IsAlive(3 * triangle);
-  this->State.Boxes.Set(triangle, BoxOf(this->Mesh.Corners, this->Mesh.Points, triangle));
-  this->State.Qualities[triangle] = isAlive ? SquaredSine(this->State.PlacesOf(triangle)) : 1.0;
-  if (isAlive)
+  this->State.Update(triangle);
+  if (this->State.IsPart(triangle))
   {
     this->Open.push_back(triangle);
   }
@@ -177,6 +175,10 @@ void MeshImprover::ApplySplit(const LocalOperation& operation)
   this->Mesh.Points.push_back(operation.Place);
   this->Mesh.Normals.push_back(Dot(normal, normal) > 0.0 ? Unit(normal) : normal);
   this->TouchedAt.push_back(this->Now);
+  if (!this->Mesh.RoomOf.empty())
+  {
+    this->Mesh.RoomOf.push_back(this->Mesh.RoomOf[start]);
+  }
   for (const Index triangle : beside)
   {
     const Index origin = static_cast<std::size_t>(triangle) < this->TrianglesAtFirst
@@ -285,7 +287,7 @@ bool MeshImprover::IsStillAllowed(LocalOperation& found)
   }
   return std::none_of(this->Extents.begin(), this->Extents.end(),
            [&](const Box3& other) { return other.Meets(found.Extent); }) ||
-    (!MakesFold(this->Mesh.Corners, this->Mesh.Points, found.Change) &&
+    (!MakesFold(this->Mesh.Corners, this->Mesh.Points, found.Change, this->Mesh.Borders) &&
       this->Guard.Allows(found.Change));
 }
 

@@ -35,6 +35,10 @@ bool OperationFinder::WasRefused(const LocalOperation& operation) const
 void OperationFinder::TryFlip(Index corner, LocalOperation& best) const
 {
   const CornerTable& corners = this->State.Mesh.Corners;
+  if (corners.IsCurve(corner))
+  {
+    return;
+  }
   const Index across = corners.OppositeOf(corner);
   const Index a = corners.StartOf(corner), b = corners.EndOf(corner);
   const Index c = corners.VertexOf(corner), d = corners.VertexOf(across);
@@ -122,11 +126,7 @@ void OperationFinder::TryMove(Index point, LocalOperation& best)
   const Point3 along = (middle - from) - Dot(middle - from, normal) * normal;
   for (const double step : { 1.0, 0.6, 0.3 })
   {
-    Point3 place = from + step * along;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      place[axis] = this->State.Grid.MoveIntoBounds(axis, place[axis]);
-    }
+    const Point3 place = this->State.MoveIntoBounds(point, from + step * along);
     double quality;
     if (!star.Try({ place, -1, std::max(floor, best.Quality), this->State.LeastCosine }, quality))
     {
@@ -207,7 +207,8 @@ bool OperationFinder::IsAllowed(const LocalOperation& operation)
   return (operation.What == LocalOperation::Kind::Collapse ||
            operation.What == LocalOperation::Kind::Move ||
            this->State.Samples.AreNear(this->Change, this->State.Mesh.Points, this->State.Slack)) &&
-    !MakesFold(corners, this->State.Mesh.Points, this->Change) && this->Guard.Allows(this->Change);
+    !MakesFold(corners, this->State.Mesh.Points, this->Change, this->State.Mesh.Borders) &&
+    this->Guard.Allows(this->Change);
 }
 
 /// The squared lengths of a triangle's sides, ascending, and the corners across them.

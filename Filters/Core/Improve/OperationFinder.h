@@ -61,7 +61,7 @@ class OperationFinder
 public:
   explicit OperationFinder(const ImprovementState& state)
     : State(state)
-    , Guard(state.Mesh.Corners, state.Mesh.Points, state.Boxes)
+    , Guard(state.Mesh.Corners, state.Mesh.Points, state.Boxes, state.Mesh.Borders)
   {
   }
 

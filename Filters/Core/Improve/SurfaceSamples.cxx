@@ -160,8 +160,14 @@ void SurfaceSamples::PutDown(Index point)
   if (!this->Taken.empty())
   {
     this->Candidates.clear();
-    this->Mesh.Corners.ForCornersAt(
-      point, [&](Index corner) { this->Candidates.push_back(corner / 3); });
+    this->Mesh.Corners.ForCornersAt(point,
+      [&](Index corner)
+      {
+        if (!this->Mesh.Borders.IsBeyond(this->Mesh.Corners, corner / 3))
+        {
+          this->Candidates.push_back(corner / 3);
+        }
+      });
     this->PutDown(this->Candidates);
   }
 }
