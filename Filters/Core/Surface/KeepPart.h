@@ -9,8 +9,8 @@
 namespace orthoslices
 {
 /**
- * Leaves one of several processes a part of the improved triangles, which all of them have: those of
- * some patches, one behind the other, so that the parts in the order of the processes are the
+ * Leaves one of several processes a part of the improved triangles, which all of them have: those
+ * of some patches, one behind the other, so that the parts in the order of the processes are the
  * surface, and about as many triangles for each. Returns the cycles of the part.
  * REQUIRES: triangles are improved, and no part yet.
  */
