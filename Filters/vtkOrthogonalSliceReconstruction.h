@@ -223,9 +223,9 @@
  * data are those of the whole surface, on all; the other outputs are whole, on the first process
  * alone. If the filter fails or is aborted on one process, it ends with an error on all others;
  * what fails before it on one process alone is not heard of, and the others wait. With labels,
- * virtual slices, Accuracy, curvatures, BorderContours = LEAVE_OPEN_AT_BORDER or contours on planes
- * of no family each process makes the whole and keeps its part: the same result, without gain in
- * time.
+ * virtual slices, curvatures, BorderContours = LEAVE_OPEN_AT_BORDER or contours on planes of no
+ * family each process makes the whole and keeps its part: the same result, without gain in time.
+ * With AutomaticAccuracy or Accuracy, each improves all triangles, and has the memory for them.
  *
  * @section Guarantees Guarantees
  * G1 to G7 in Core/Reconstruct.h: closed (but for BorderContours = LEAVE_OPEN_AT_BORDER),

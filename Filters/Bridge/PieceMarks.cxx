@@ -27,10 +27,18 @@ std::vector<float> SelectNormals(
 }
 
 PieceMarks::PieceMarks(const Reconstruction& result, const Ranks& ranks)
-  : PartsOfPoints(FindPartsOfPoints(GeometryOf(result), result.Surface.Meshes, *result.Part))
-  , FirstInner(result.Surface.MeshOffsets.back())
+  : FirstInner(result.Surface.MeshOffsets.back())
   , Shared{ ranks, {}, {}, !result.Normals.Normals.empty() }
 {
+  const ImprovedTriangles& improved = result.Surface.Improved;
+  if (improved.IsPart)
+  {
+    this->PartsOfPoints = improved.OtherParts;
+    this->Ids = improved.Ids;
+    this->TrianglesBefore = improved.TrianglesBefore;
+    return;
+  }
+  this->PartsOfPoints = FindPartsOfPoints(GeometryOf(result), result.Surface.Meshes, *result.Part);
   const InnerPatches& inner = result.Surface.Inner;
   const std::vector<std::int64_t> own{ inner.PointOffsets.back() - inner.Count(),
     result.Surface.TriangleCount() };
@@ -50,7 +58,8 @@ std::vector<float> PieceMarks::Apply(const std::vector<float>& normals, vtkPolyD
   this->Shared.IsShared.assign(used.size(), 0);
   for (std::size_t i = 0; i < used.size(); ++i)
   {
-    ids[i] = used[i] + (used[i] < this->FirstInner ? 0 : this->InnerBefore);
+    ids[i] = !this->Ids.empty() ? static_cast<vtkIdType>(this->Ids[used[i]])
+                                : used[i] + (used[i] < this->FirstInner ? 0 : this->InnerBefore);
     if (used[i] < static_cast<vtkIdType>(this->PartsOfPoints.size()))
     {
       const std::uint8_t parts = this->PartsOfPoints[used[i]];

@@ -34,7 +34,8 @@ public:
   const SharedPoints& GetShared() const { return this->Shared; }
 
 private:
-  std::vector<std::uint8_t> PartsOfPoints; ///< of the points of G
+  std::vector<std::uint8_t> PartsOfPoints; ///< of the points of G, or of all if these are improved
+  std::vector<std::int64_t> Ids;           ///< of improved points; else empty
   std::int64_t FirstInner;                 ///< the ids of what only this piece has begin here
   std::int64_t InnerBefore = 0;            ///< number of such points of the pieces before
   std::int64_t TrianglesBefore = 0;

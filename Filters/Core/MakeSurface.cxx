@@ -15,6 +15,7 @@
 #include "Core/Patches/Domes.h"
 #include "Core/Patches/FitError.h"
 #include "Core/Slabs/StitchSlabs.h"
+#include "Core/Surface/KeepPart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -191,11 +192,17 @@ double DisagreementOf(const Reconstruction& result)
   return std::sqrt(SumOfSquaredDifferences(result.Nodes) / std::max<Index>(1, count));
 }
 
+/// The processes that make the surface together; one alone if it is not divided.
+Ranks ProcessesOf(const Pass& pass)
+{
+  return pass.Result.Part ? *pass.Settings.Processes : Ranks();
+}
+
 /// As accurate as asked for, in spacings, but not much more than the slices are; 0 for all
 /// triangles.
-double AccuracyOf(
-  const PatchOptions& patching, const Reconstruction& result, const Execution& execution)
+double AccuracyOf(const PatchOptions& patching, const Pass& pass)
 {
+  const Reconstruction& result = pass.Result;
   if (!GivesNormals(patching.Method) || !(patching.OwnAccuracy || patching.Accuracy > 0.0))
   {
     return 0.0;
@@ -207,7 +214,7 @@ double AccuracyOf(
     const CycleGeometry geometry = GeometryOf(result);
     const PatchTables tables{ geometry, result.Cells, result.Normals, result.Surface.CentralPoints,
       result.Surface.Meshes };
-    const double error = FitError(tables, execution) / spacing;
+    const double error = FitError(tables, pass.Execute, ProcessesOf(pass)) / spacing;
     const double few = std::max(LeastShare, std::min(1.0, result.Cycles.Count() / ManyPatches));
     accuracy = std::max(
       LeastAccuracy, std::min(AccuracyByError * error, few * AccuracyByRoot * std::sqrt(error)));
@@ -224,7 +231,7 @@ void FindNormals(const PatchOptions& patching, Pass& pass)
   {
     result.Normals = EstimateNormals(geometry, patching.CornerAngle,
       TiltOfDomes(geometry, result.Surface.CentralPoints, result.Surface.Meshes), pass.Execute,
-      result.Part ? *pass.Settings.Processes : Ranks());
+      ProcessesOf(pass));
   }
   pass.Finish(Stage::EstimateNormals);
 }
@@ -244,7 +251,13 @@ LightGraph DrawOutlines(double accuracy, Pass& pass)
   return light;
 }
 
-/// Fills all cycles, and lays the patches out as triangles.
+/// Whether triangles are improved, which takes all of them.
+bool AreToBeImproved(double accuracy, const Reconstruction& result)
+{
+  return accuracy > 0.0 && result.Grid.Metric.IsWorld();
+}
+
+/// Fills all cycles, or those of the part, and lays the patches out as triangles.
 void LayOutPatches(const PatchOptions& patching, LightGraph&& light, Pass& pass)
 {
   Reconstruction& result = pass.Result;
@@ -252,6 +265,11 @@ void LayOutPatches(const PatchOptions& patching, LightGraph&& light, Pass& pass)
     { GeometryOf(result), result.Cells, result.Normals, result.Surface.CentralPoints,
       result.Surface.Meshes, light.Any() ? &light : nullptr },
     patching, pass.Execute);
+  const bool ofAll = patching.Part == nullptr || AreToBeImproved(patching.Accuracy, result);
+  if (patching.Part != nullptr && ofAll)
+  {
+    result.Surface.Inner = JoinParts(ProcessesOf(pass), result.Surface.Inner);
+  }
   if (light.Any())
   {
     result.Drawn = std::move(result.Graph);
@@ -264,7 +282,7 @@ void LayOutPatches(const PatchOptions& patching, LightGraph&& light, Pass& pass)
     result.Normals = {}; // those of the triangles say more
   }
   pass.Finish(Stage::BuildInnerPatches);
-  LayOutTriangles(result.Graph, result.Cycles, result.Surface, patching.Part);
+  LayOutTriangles(result.Graph, result.Cycles, result.Surface, ofAll ? nullptr : patching.Part);
   pass.Finish(Stage::LayOutTriangles);
 }
 
@@ -281,11 +299,15 @@ ImprovementLimits LimitsOf(double accuracy, const SpatialGrid& grid)
 void ImproveIfLight(double accuracy, Pass& pass)
 {
   Reconstruction& result = pass.Result;
-  if (accuracy > 0.0 && result.Grid.Metric.IsWorld())
+  if (AreToBeImproved(accuracy, result))
   {
     ImprovementLimits limits = LimitsOf(accuracy, result.Grid);
     limits.Kept = pass.Settings.Patching.KeepContours ? result.Graph.Count() : 0;
     ImproveSurface(GeometryOf(result), result.Normals, limits, pass.Execute, result.Surface);
+    if (result.Part)
+    {
+      result.Part = KeepPart(*pass.Settings.Processes, result.Surface);
+    }
   }
   pass.Finish(Stage::ImproveSurface);
 }
@@ -294,10 +316,7 @@ void ImproveIfLight(double accuracy, Pass& pass)
 void DivideSurface(Pass& pass)
 {
   const Ranks* processes = pass.Settings.Processes;
-  const PatchOptions& patching = pass.Settings.Patching;
-  // Triangles are improved across all parts.
-  const bool isLight = patching.Accuracy > 0.0 || patching.OwnAccuracy;
-  if (processes != nullptr && processes->AreSeveral() && !isLight && patching.Shared == nullptr)
+  if (processes != nullptr && processes->AreSeveral() && pass.Settings.Patching.Shared == nullptr)
   {
     pass.Result.Part =
       DivideCycles(GeometryOf(pass.Result), pass.Result.Surface.Meshes, *processes);
@@ -309,7 +328,7 @@ bool FillCycles(const PatchOptions& options, Pass& pass)
   PatchOptions patching = options;
   patching.Part = pass.Result.Part ? &*pass.Result.Part : nullptr;
   FindNormals(patching, pass);
-  patching.Accuracy = AccuracyOf(options, pass.Result, pass.Execute);
+  patching.Accuracy = AccuracyOf(options, pass);
   pass.Result.Accuracy = options.KeepContours ? 0.0 : patching.Accuracy;
   LayOutPatches(patching, DrawOutlines(patching.Accuracy, pass), pass);
   ImproveIfLight(patching.Accuracy, pass);
@@ -327,7 +346,7 @@ bool FillTogether(
   {
     FindNormals(options, *pass);
     Reconstruction& result = pass->Result;
-    patching.Accuracy = std::min(patching.Accuracy, AccuracyOf(options, result, pass->Execute));
+    patching.Accuracy = std::min(patching.Accuracy, AccuracyOf(options, *pass));
     geometries.push_back(GeometryOf(result));
     surfaces.push_back({ geometries.back(), result.Cells, result.Surface.Meshes, result.Normals });
   }

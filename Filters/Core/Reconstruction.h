@@ -82,7 +82,7 @@ struct Reconstruction
   /// G with all vertices of contours, if Graph has lost some of them for few triangles; else empty.
   NodeGraph Drawn;
   /// The cycles whose triangles are in Surface, where several processes have a part each; else it has
-  /// those of all. Everything else is that of the whole.
+  /// those of all. Everything else is that of the whole, but for the points of improved triangles.
   std::optional<Portion> Part;
 
   /// The report: what the slices disagreed on, and what was done about it.

@@ -4,12 +4,13 @@
  * Time and memory of vtkOrthogonalSliceReconstruction against the number of contour points.
  *
  *   BenchReconstruct [--points N ...] [--planes N] [--threads N] [--repeat N] [--float]
- *     [--patches smooth|fan|coons|all] [--edge-length L] [--stages]
+ *     [--patches smooth|fan|coons|all] [--edge-length L] [--few] [--stages]
  *
  * Without --planes their number grows with the square root of the number of points, so that there
  * is one crossing with the lattice for every four points or so, as in ordinary data. The object is
  * a lattice of 3 x 3 x 3 hollow spheres, cut by `planes` planes on each axis; circles have as many
- * vertices as give the wanted number of points in all. Every size runs in a process of its own, so
+ * vertices as give the wanted number of points in all. With --few triangles are few, as they are by
+ * default; else all, in proportion to the input. Every size runs in a process of its own, so
  * that peak memory is that size's. Seconds are the least of the repetitions, from vtkPolyData to
  * vtkPolyData; below `memcpy` they are in terms of what copying as many bytes takes as the inputs
  * and outputs have, in memory that is there already. Memory is the growth of the process's peak over
@@ -61,6 +62,7 @@ struct Arguments
   bool Float = false;
   std::vector<std::string> Patches{ "smooth" };
   double EdgeLength = 0.25;
+  bool Few = false;
   bool Stages = false;
 };
 
@@ -310,7 +312,7 @@ void RunSize(const Arguments& arguments, double total, const std::string& patche
       : patches == "coons"              ? vtkOrthogonalSliceReconstruction::COONS
                                         : vtkOrthogonalSliceReconstruction::SMOOTH);
   filter->SetEdgeLength(arguments.EdgeLength);
-  filter->AutomaticAccuracyOff(); // triangles in proportion to the input
+  filter->SetAutomaticAccuracy(arguments.Few); // else triangles are in proportion to the input
   double points = 0.0;
   double input = 0.0;
   for (int axis = 0; axis < 3; ++axis)
@@ -383,6 +385,10 @@ Arguments Parse(int argc, char* argv[])
     {
       arguments.Float = true;
     }
+    else if (std::strcmp(argv[i], "--few") == 0)
+    {
+      arguments.Few = true;
+    }
     else if (std::strcmp(argv[i], "--stages") == 0)
     {
       arguments.Stages = true;
@@ -401,7 +407,7 @@ Arguments Parse(int argc, char* argv[])
     {
       std::fprintf(stderr,
         "usage: %s [--points N ...] [--planes N] [--threads N] [--repeat N] [--float]\n"
-        "  [--patches smooth|fan|coons|all] [--edge-length L] [--stages]\n",
+        "  [--patches smooth|fan|coons|all] [--edge-length L] [--few] [--stages]\n",
         argv[0]);
       std::exit(2);
     }

@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 using namespace orthoslices;
@@ -89,6 +90,73 @@ void ExpectParts(const PieceSets& sets, PatchMethod method = PatchMethod::Smooth
   }
 }
 
+Reconstruction MakeLight(const PieceSets& sets, const Ranks* ranks)
+{
+  Options options;
+  options.Processes = ranks;
+  options.Patching.OwnAccuracy = true;
+  PieceSets input = sets;
+  return Reconstruct(std::move(input), options, Execution());
+}
+
+/// What parts of improved triangles have together: the points of the whole, of each part in its
+/// order, and the triangles.
+void ExpectImproved(const std::vector<Reconstruction>& parts, const ImprovedTriangles& whole)
+{
+  std::vector<Index> corners;
+  std::vector<int> before(whole.Origin.size(), 0), after(whole.Origin.size(), 0);
+  for (const Reconstruction& part : parts)
+  {
+    const ImprovedTriangles& own = part.Surface.Improved;
+    ASSERT_TRUE(own.IsPart);
+    EXPECT_EQ(own.TrianglesBefore, static_cast<std::int64_t>(corners.size() / 3));
+    EXPECT_EQ(part.Surface.TriangleCount(), static_cast<std::int64_t>(own.Corners.size() / 3));
+    for (const Index corner : own.Corners)
+    {
+      corners.push_back(static_cast<Index>(own.Ids[corner]));
+    }
+    for (std::size_t i = 0; i < own.Ids.size(); ++i)
+    {
+      const std::size_t id = static_cast<std::size_t>(own.Ids[i]);
+      EXPECT_EQ(own.Origin[i], whole.Origin[id]);
+      EXPECT_TRUE(std::equal(whole.Points.begin() + 3 * id, whole.Points.begin() + 3 * (id + 1),
+        own.Points.begin() + 3 * i));
+      EXPECT_EQ((own.OtherParts[i] & BeforePart) != 0, before[id] > 0);
+      after[id] += (own.OtherParts[i] & AfterPart) != 0 ? 0 : 1; // of one part it is the last
+      ++before[id];
+    }
+  }
+  EXPECT_EQ(corners, whole.Corners);
+  EXPECT_EQ(after, std::vector<int>(after.size(), 1));
+}
+
+/// Few triangles, which all make together.
+void ExpectLightParts(const PieceSets& sets, const std::vector<int>& counts)
+{
+  const Reconstruction whole = MakeLight(sets, nullptr);
+  ASSERT_TRUE(whole.Surface.Improved.Any());
+  for (const int count : counts)
+  {
+    std::vector<Reconstruction> parts(count);
+    ThreadRanks(count).ForAll(
+      [&](const Ranks& ranks) { parts[ranks.Rank] = MakeLight(sets, &ranks); });
+    ExpectImproved(parts, whole.Surface.Improved);
+    std::size_t next = 0;
+    for (const Reconstruction& part : parts)
+    {
+      ASSERT_TRUE(part.Part);
+      EXPECT_EQ(part.Part->First, next);
+      next = part.Part->Last;
+      EXPECT_EQ(part.Accuracy, whole.Accuracy);
+      EXPECT_EQ(part.Graph.Points, whole.Graph.Points);
+      EXPECT_EQ(part.Surface.Inner.Points, whole.Surface.Inner.Points);
+      const std::vector<std::int64_t>& offsets = whole.Surface.Offsets;
+      EXPECT_EQ(part.Surface.TriangleCount(), offsets[part.Part->Last] - offsets[part.Part->First]);
+    }
+    EXPECT_EQ(next, whole.Cycles.Cell.size());
+  }
+}
+
 PieceSets Sliced(const Solid& solid, const std::array<int, 3>& planes)
 {
   return SliceSolid(solid, EqualPlanes(solid, planes), 4, InPlaneGrid::Free);
@@ -112,6 +180,13 @@ TEST(Parts, GiveWayToPatchesOfOthers)
 {
   ExpectParts(Sliced(LinkedTori(), { 5, 6, 5 }));
   ExpectParts(Sliced(BranchingTube(), { 4, 5, 4 }));
+}
+
+TEST(Parts, OfFewTriangles)
+{
+  ExpectLightParts(Sliced(KnottedTube(), { 14, 15, 16 }), { 2, 3, 7 });
+  // More processes than cells: some have nothing.
+  ExpectLightParts(Sliced(BranchingTube(), { 4, 5, 4 }), { 2, 50 });
 }
 
 TEST(Parts, WorkIsDividedEvenly)

@@ -3,10 +3,11 @@
 /**
  * Several processes against one: work, waiting and messages.
  *
- *   mpirun -np N BenchRanks [points] [planes]
+ *   mpirun -np N BenchRanks [points] [planes] [few]
  *
  * The object is a lattice of 3 x 3 x 3 balls, cut by `planes` planes on each axis (DEFAULT: as
- * BenchReconstruct) into circles with `points` vertices in all (DEFAULT: a million). First the first
+ * BenchReconstruct) into circles with `points` vertices in all (DEFAULT: a million). With `few`, which
+ * needs both numbers, triangles are few, as they are by default of the filter; else all. First the first
  * process makes the surface alone, then all together, each from its own part of the contours. Seconds
  * are those of the processor: those at work, and apart from them those in exchanges, where MPI waits
  * busily; memory is the growth of a process's peak (of the first one, from the run alone on). So they say how work is divided, also where processes share a processor.
@@ -128,21 +129,27 @@ vtkSmartPointer<vtkPolyData> MakeContours(int axis, int planes, double total, in
   return contours;
 }
 
+struct Input
+{
+  double Total;
+  int Planes;
+  bool Few; ///< triangles, as by default; else all
+};
+
 struct Run
 {
   double Wall, Work;
   vtkIdType Triangles, Points;
 };
 
-Run Reconstruct(
-  vtkMultiProcessController* controller, int planes, double total, int rank, int ranks)
+Run Reconstruct(vtkMultiProcessController* controller, const Input& input, int rank, int ranks)
 {
   vtkNew<vtkOrthogonalSliceReconstruction> filter;
   filter->SetController(controller);
-  filter->AutomaticAccuracyOff(); // few triangles are not divided
+  filter->SetAutomaticAccuracy(input.Few);
   for (int axis = 0; axis < 3; ++axis)
   {
-    filter->SetInputData(axis, MakeContours(axis, planes, total, rank, ranks));
+    filter->SetInputData(axis, MakeContours(axis, input.Planes, input.Total, rank, ranks));
   }
   const auto start = std::chrono::steady_clock::now();
   const double before = ProcessorSeconds();
@@ -165,12 +172,13 @@ int main(int argc, char* argv[])
   const double total = argc > 1 ? std::atof(argv[1]) : 1e6;
   const int planes =
     argc > 2 ? std::atoi(argv[2]) : static_cast<int>(0.09 * std::sqrt(total) + 8.0);
+  const Input input{ total, planes, argc > 3 && std::string(argv[3]) == "few" };
   const int rank = controller->GetLocalProcessId(), ranks = controller->GetNumberOfProcesses();
   double alone = 0.0;
   if (rank == 0)
   {
     const double least = Megabytes("VmRSS:");
-    const Run run = Reconstruct(nullptr, planes, total, 0, 1);
+    const Run run = Reconstruct(nullptr, input, 0, 1);
     alone = run.Work;
     std::printf("alone: %.2f s at work, %.2f s wall, %.0f MB, %lld triangles, %lld points\n",
       run.Work, run.Wall, Megabytes("VmHWM:") - least, static_cast<long long>(run.Triangles),
@@ -180,7 +188,7 @@ int main(int argc, char* argv[])
   communicator->Sent.clear();
   communicator->Seconds = 0.0;
   const double least = Megabytes("VmRSS:");
-  const Run run = Reconstruct(controller, planes, total, rank, ranks);
+  const Run run = Reconstruct(controller, input, rank, ranks);
   const double work = run.Work - communicator->Seconds;
   double most = 0.0;
   controller->AllReduce(&work, &most, 1, vtkCommunicator::MAX_OP);

@@ -34,6 +34,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <vector>
 
 using namespace orthoslices;
 using namespace orthoslices::support;
@@ -158,7 +159,7 @@ void ExpectOthers(Filter* parallel, Filter* single)
 }
 
 /// The union of the pieces is the surface of one process, however contours are divided. With all
-/// triangles, since few are not divided among processes, unless configured otherwise.
+/// triangles, unless configured otherwise.
 void ExpectSame(
   const Whole& whole, const Configure& configure = [](Filter*) {})
 {
@@ -227,6 +228,24 @@ Whole Sliced(const Solid& solid, const std::array<int, 3>& planes, int type = VT
   return whole;
 }
 
+template <typename Move>
+vtkSmartPointer<vtkPolyData> MovePoints(vtkPolyData* contours, Move&& move)
+{
+  auto moved = vtkSmartPointer<vtkPolyData>::New();
+  moved->DeepCopy(contours);
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> point;
+    moved->GetPoint(i, point.data());
+    move(point);
+    moved->GetPoints()->SetPoint(i, point.data());
+  }
+  return moved;
+}
+
+/// Few triangles, as the filter makes them unless it is told otherwise.
+void ByDefault(Filter* filter) { filter->AutomaticAccuracyOn(); }
+
 const Whole& Knot()
 {
   static const Whole knot = Sliced(KnottedTube(), { 14, 15, 16 });
@@ -264,17 +283,12 @@ TEST(Ranks, PointsEqualInFloat)
   Whole far = Knot();
   for (int axis = 0; axis < 3; ++axis)
   {
-    auto moved = vtkSmartPointer<vtkPolyData>::New();
-    moved->DeepCopy(far[axis]);
-    for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
-    {
-      std::array<double, 3> point;
-      moved->GetPoint(i, point.data());
-      std::transform(
-        point.begin(), point.end(), point.begin(), [](double x) { return x + 1048576.0; });
-      moved->GetPoints()->SetPoint(i, point.data());
-    }
-    far[axis] = moved;
+    far[axis] = MovePoints(far[axis],
+      [](std::array<double, 3>& point)
+      {
+        std::transform(
+          point.begin(), point.end(), point.begin(), [](double x) { return x + 1048576.0; });
+      });
   }
   FilterRun single;
   single.Filter->SetController(nullptr);
@@ -296,10 +310,53 @@ TEST(Ranks, SeveralComponentsAndCellsWithSeveralCycles)
 TEST(Ranks, FewTriangles)
 {
   ExpectSame(Knot(), [](Filter* filter) { filter->SetAccuracy(0.05); });
-  const auto byDefault = [](Filter* filter) { filter->AutomaticAccuracyOn(); };
-  ExpectSame(Knot(), byDefault);
-  ExpectSame(Sliced(HollowBall(), { 7, 7, 7 }), byDefault);
-  ExpectSame(Sliced(TiltedTorus(), { 5, 4, 6 }), byDefault);
+  ExpectSame(Knot(), ByDefault);
+  ExpectSame(Sliced(HollowBall(), { 7, 7, 7 }), ByDefault);
+  ExpectSame(Sliced(TiltedTorus(), { 5, 4, 6 }), ByDefault);
+}
+
+TEST(Ranks, FewTrianglesAtVerticesOfContours)
+{
+  ExpectSame(Sliced(LinkedTori(), { 12, 11, 13 }, VTK_FLOAT),
+    [](Filter* filter)
+    {
+      ByDefault(filter);
+      filter->KeepContourVerticesOn();
+      filter->ComputeNormalsOff();
+    });
+}
+
+// Fans are not few, whatever the accuracy.
+TEST(Ranks, FansByDefault)
+{
+  ExpectSame(Knot(),
+    [](Filter* filter)
+    {
+      ByDefault(filter);
+      filter->SetPatchType(Filter::FAN);
+    });
+}
+
+// Of families that are not at right angles, triangles are few, but not improved.
+TEST(Ranks, FewTrianglesOfObliqueFamilies)
+{
+  Whole oblique = Knot();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    oblique[axis] =
+      MovePoints(oblique[axis], [](std::array<double, 3>& point) { point[0] += 0.25 * point[1]; });
+  }
+  ExpectSame(oblique, ByDefault);
+}
+
+TEST(Ranks, FewTrianglesAndMoreRanksThanPatches)
+{
+  ExpectSame(Sliced(TiltedTorus(), { 1, 1, 1 }),
+    [](Filter* filter)
+    {
+      ByDefault(filter);
+      filter->SetVirtualSlices(Filter::NO_VIRTUAL_SLICES);
+    });
 }
 
 TEST(Ranks, SparseSlices)
@@ -390,7 +447,6 @@ TEST(Ranks, FailureOfOneEndsAll)
     GTEST_SKIP();
   }
   FilterRun run;
-  run.Filter->AutomaticAccuracyOff(); // so that all stages are divided
   SetParts(Knot(), Division::Even, run.Filter);
   if (Rank() == Count() - 1)
   {
@@ -407,16 +463,12 @@ TEST(Ranks, FailureOfOneEndsAll)
   EXPECT_GT(run.Filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
-TEST(Ranks, AbortOfOneEndsAll)
+void ExpectAbortOfOneEndsAll(bool few, const std::vector<double>& times)
 {
-  if (Count() == 1)
-  {
-    GTEST_SKIP();
-  }
-  for (const double when : { 0.3, 0.65, 0.75, 0.9, 1.0 })
+  for (const double when : times)
   {
     FilterRun run;
-    run.Filter->AutomaticAccuracyOff(); // so that all stages are divided
+    run.Filter->SetAutomaticAccuracy(few);
     SetParts(Knot(), Division::Even, run.Filter);
     double progress = when;
     vtkNew<vtkCallbackCommand> command;
@@ -437,6 +489,16 @@ TEST(Ranks, AbortOfOneEndsAll)
     EXPECT_EQ(run.Errors.empty(), Rank() == 0) << when;
     EXPECT_EQ(run.Filter->GetOutput()->GetNumberOfCells(), 0) << when;
   }
+}
+
+TEST(Ranks, AbortOfOneEndsAll)
+{
+  if (Count() == 1)
+  {
+    GTEST_SKIP();
+  }
+  ExpectAbortOfOneEndsAll(false, { 0.3, 0.65, 0.75, 0.9, 1.0 });
+  ExpectAbortOfOneEndsAll(true, { 0.4, 0.6, 0.8, 0.9, 1.0 });
 }
 
 TEST(Ranks, NoContoursAtAll)

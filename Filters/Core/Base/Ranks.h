@@ -53,6 +53,18 @@ std::vector<std::vector<Value>> GatherValues(const Ranks& ranks, const std::vect
   return all;
 }
 
+/// The values of all ranks, one behind the other.
+template <typename Value>
+std::vector<Value> JoinValues(const Ranks& ranks, const std::vector<Value>& own)
+{
+  std::vector<Value> joined;
+  for (const std::vector<Value>& values : GatherValues(ranks, own))
+  {
+    joined.insert(joined.end(), values.begin(), values.end());
+  }
+  return joined;
+}
+
 /// A part of a list of items, from `First` to `Last` - 1.
 struct Portion
 {

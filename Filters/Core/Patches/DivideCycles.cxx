@@ -3,6 +3,7 @@
 #include "Core/Patches/DivideCycles.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace orthoslices
 {
@@ -85,6 +86,34 @@ void ChosenCycles::LeaveOutOthers(InnerPatches& patches) const
     }
   }
   patches = std::move(own);
+}
+
+namespace
+{
+/// The offsets of all processes, one behind the other, each of which begin with 0.
+std::vector<std::int64_t> JoinOffsets(const Ranks& ranks, const std::vector<std::int64_t>& own)
+{
+  std::vector<std::int64_t> joined{ 0 };
+  for (const std::vector<std::int64_t>& offsets : GatherValues(ranks, own))
+  {
+    const std::int64_t before = joined.back();
+    std::transform(offsets.begin() + 1, offsets.end(), std::back_inserter(joined),
+      [&](std::int64_t offset) { return before + offset; });
+  }
+  return joined;
+}
+}
+
+InnerPatches JoinParts(const Ranks& ranks, const InnerPatches& own)
+{
+  InnerPatches all;
+  all.Cycle = JoinValues(ranks, own.Cycle);
+  all.PointOffsets = JoinOffsets(ranks, own.PointOffsets);
+  all.TriangleOffsets = JoinOffsets(ranks, own.TriangleOffsets);
+  all.Points = JoinValues(ranks, own.Points);
+  all.Normals = JoinValues(ranks, own.Normals);
+  all.Corners = JoinValues(ranks, own.Corners);
+  return all;
 }
 
 namespace

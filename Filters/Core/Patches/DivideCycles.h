@@ -46,6 +46,9 @@ private:
   CellGroups OwnCells;
 };
 
+/// The patches of all processes, each of which has those of its part.
+InnerPatches JoinParts(const Ranks& ranks, const InnerPatches& own);
+
 /// Where else than in the part of one process a point of G has triangles.
 enum PartsOfPoint : std::uint8_t
 {

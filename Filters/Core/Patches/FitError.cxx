@@ -23,14 +23,12 @@ std::uint64_t ShuffledNumber(const std::array<Index, 3>& cell)
   }
   return hash >> 16;
 }
-}
 
-double FitError(const PatchTables& tables, const Execution& execution)
+/// The patches that are measured, which do not depend on the order of the contours.
+std::vector<Index> ChooseCycles(const CellCycles& cycles)
 {
   // A hundredth of all may have half of the sum of squares, so that a few hundred would not do.
   constexpr Index most = 10000;
-  // Neither which patches are measured nor the sum depends on the order of the contours.
-  const CellCycles& cycles = tables.Geometry.Cycles;
   const std::uint64_t step = 1 + cycles.Count() / most;
   std::vector<Index> chosen;
   for (Index cycle = 0; cycle < cycles.Count(); ++cycle)
@@ -40,8 +38,15 @@ double FitError(const PatchTables& tables, const Execution& execution)
       chosen.push_back(cycle);
     }
   }
-  std::vector<double> squares(chosen.size(), -1.0); // of those that tell
-  execution.For(chosen.size(),
+  return chosen;
+}
+
+/// The squared deviations of some patches; -1 of those that do not tell.
+std::vector<double> MeasureSquares(const PatchTables& tables, const std::vector<Index>& chosen,
+  const Portion& own, const Execution& execution)
+{
+  std::vector<double> squares(own.Last - own.First, -1.0);
+  execution.For(squares.size(),
     [&](std::size_t begin, std::size_t end)
     {
       SmoothPatchBuilder builder(tables.Geometry.Grid, PatchResolution());
@@ -49,7 +54,7 @@ double FitError(const PatchTables& tables, const Execution& execution)
       InnerPatch crease;
       for (std::size_t i = begin; i < end; ++i)
       {
-        border.Set(tables.Geometry, tables.Normals, chosen[i]);
+        border.Set(tables.Geometry, tables.Normals, chosen[own.First + i]);
         border.Turn();
         double deviation = builder.Fit(border) ? builder.Deviation() : HUGE_VAL;
         if (HasCorner(border, tables.Normals.Corners))
@@ -64,7 +69,17 @@ double FitError(const PatchTables& tables, const Execution& execution)
         }
       }
     });
+  return squares;
+}
+}
+
+double FitError(const PatchTables& tables, const Execution& execution, const Ranks& ranks)
+{
+  const std::vector<Index> chosen = ChooseCycles(tables.Geometry.Cycles);
+  const Portion own = PortionOf(ranks, chosen.size(), [](std::size_t) { return 1.0; });
+  std::vector<double> squares = JoinValues(ranks, MeasureSquares(tables, chosen, own, execution));
   squares.erase(std::remove(squares.begin(), squares.end(), -1.0), squares.end());
+  // The sum does not depend on the order of the contours either.
   std::sort(squares.begin(), squares.end());
   const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
   return squares.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(squares.size()));

@@ -11,14 +11,21 @@
 namespace orthoslices
 {
 /// Triangles that took the place of those of all patches, in the order of the patches, and their
-/// points.
+/// points. Those of a part of all patches, once KeepPart has left others out.
 struct ImprovedTriangles
 {
   std::vector<double> Points;       ///< x, y, z of each
   std::vector<std::int64_t> Origin; ///< of each point, ascending: its id before; new ones: -1, last
   std::vector<Index> Corners;       ///< three points of each triangle
 
-  bool Any() const { return !this->Corners.empty(); }
+  bool IsPart = false;
+  /// Of a part: the number of each point among those of all, ascending; where else it has triangles,
+  /// as bits of PartsOfPoint; and how many triangles are before the part.
+  std::vector<std::int64_t> Ids{};
+  std::vector<std::uint8_t> OtherParts{};
+  std::int64_t TrianglesBefore = 0;
+
+  bool Any() const { return this->IsPart || !this->Corners.empty(); }
 };
 
 /**
