@@ -541,6 +541,16 @@ TEST(LabelBorders, DoNotCrossWhereSlicesContradictEachOther)
   }
 }
 
+/// Arcs that several labels have are not drawn anew for one of them where they are close.
+TEST(LabelBorders, ArcsStayCommonWhereTheyAreClose)
+{
+  const LabelImage image = MakeLabelImage(LabelKind::Corners, 8, 1);
+  const Borders borders = ReconstructContradicted(image, { 12, 12, 12 }, false);
+  EXPECT_TRUE(borders.Check.IsClosedManifold()) << borders.Check;
+  EXPECT_EQ(borders.Crossings, 0);
+  EXPECT_LT(borders.Overlap, 1e-5);
+}
+
 /// A few slices leave many labels in one cell; virtual ones divide it.
 TEST(LabelBorders, LeaveNoGapsBetweenAFewSlices)
 {

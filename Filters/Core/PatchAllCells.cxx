@@ -166,6 +166,7 @@ private:
   void TakePatches();
   bool LeaveOut(const std::vector<std::uint8_t>& marked);
   void LeaveOutComponents();
+  bool SharesArcs() const;
   void DrawArcsApart(bool virtualOnly);
 
   const Options& Settings;
@@ -352,6 +353,14 @@ void CellPatcher::LeaveOutComponents()
   }
 }
 
+/// Whether contours are common to other structures. Arcs stay then as they are for all of them, since
+/// drawn anew for one alone they would leave the others' side; patches that touch make room for each
+/// other once those of all structures are known (SettleCommonCells).
+bool CellPatcher::SharesArcs() const
+{
+  return this->Settings.Junctions != nullptr && !this->Settings.Junctions->empty();
+}
+
 /// Draws arcs of unresolved cells anew that lie too close together for the precision.
 void CellPatcher::DrawArcsApart(bool virtualOnly)
 {
@@ -366,7 +375,7 @@ void CellPatcher::Run()
 {
   // Arcs of virtual slices are tried alone at first.
   const bool hasVirtual = this->Result.Grid.HasVirtual();
-  const int maxRounds = hasVirtual ? 4 : 3;
+  const int maxRounds = this->SharesArcs() ? 1 : hasVirtual ? 4 : 3;
   this->EmbedIsolatedContours();
   this->PatchCells();
   this->LeaveOutComponents();
