@@ -35,6 +35,8 @@ struct ImprovementLimits
   double Tolerance = 0.0;
   double SmallAngle = 0.0; ///< triangles with a smaller one are to be improved, in degrees
   Index Kept = 0;          ///< the first so many points stay where they are
+  /// New triangles for each that there is, at most: a guard, as splits make something better. 0: none.
+  double Growth = 1.0;
 };
 }
 

@@ -37,12 +37,13 @@ ImprovementState::ImprovementState(
   }
 }
 
-void ImprovementState::Update(Index triangle)
+bool ImprovementState::Update(Index triangle)
 {
   const bool isPart = this->IsPart(triangle);
   this->Boxes.Set(
     triangle, isPart ? BoxOf(this->Mesh.Corners, this->Mesh.Points, triangle) : Box3());
   this->Qualities[triangle] = isPart ? SquaredSine(this->PlacesOf(triangle)) : 1.0;
+  return isPart;
 }
 
 Point3 ImprovementState::MoveIntoBounds(Index point, const Point3& place) const

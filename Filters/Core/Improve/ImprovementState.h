@@ -31,8 +31,8 @@ struct ImprovementState
     const CornerTable& corners = this->Mesh.Corners;
     return corners.IsAlive(3 * triangle) && !this->Mesh.Borders.IsBeyond(corners, triangle);
   }
-  /// Looks at a triangle, which has changed.
-  void Update(Index triangle);
+  /// Looks at a triangle, which has changed. Whether it is part of the surface.
+  bool Update(Index triangle);
   /// A place for a point, or for one beside it, within the bounds of the surface.
   Point3 MoveIntoBounds(Index point, const Point3& place) const;
 

@@ -18,9 +18,6 @@ constexpr double Degree = 3.14159265358979323846 / 180.0;
 /// Operations for each triangle that there is, at most: a guard, as each makes something better.
 constexpr std::size_t MaxWork = 10;
 
-/// New triangles for each that there is, at most: a guard, too.
-constexpr double MaxGrowth = 1.0;
-
 /// Triangles below that share of the angle are split, if nothing else helps: 20 of 22 degrees.
 constexpr double SplitBound = 0.91;
 
@@ -95,8 +92,7 @@ MeshImprover::MeshImprover(const SpatialGrid& grid, const ImprovementLimits& lim
 /// Notes that a triangle has changed.
 void MeshImprover::Note(Index triangle)
 {
-  this->State.Update(triangle);
-  if (this->State.IsPart(triangle))
+  if (this->State.Update(triangle))
   {
     this->Open.push_back(triangle);
   }
@@ -295,7 +291,7 @@ bool MeshImprover::IsStillAllowed(LocalOperation& found)
 void MeshImprover::ImproveTogether(const std::vector<Index>& triangles, Means means)
 {
   const bool mayGrow =
-    static_cast<double>(this->Mesh.Origins.size()) < MaxGrowth * this->TrianglesAtFirst;
+    static_cast<double>(this->Mesh.Origins.size()) < this->Limits.Growth * this->TrianglesAtFirst;
   const Means now = means >= Means::Splits && !mayGrow ? Means::Moves : means;
   this->Found.assign(triangles.size(), LocalOperation());
   this->Execute.For(triangles.size(),

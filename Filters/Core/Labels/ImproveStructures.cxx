@@ -8,6 +8,18 @@
 
 namespace orthoslices
 {
+namespace
+{
+/// The part of the tolerance for each side, where two labels meet on the outside: what they leave
+/// between them adds up. With the whole, three thin layers have .341 % of their volume there, with
+/// that part .335, and .289 with all triangles.
+constexpr double ShareOfSide = 0.75;
+
+/// Where contours keep their vertices, triangles are nearly as many as they can be: with more splits,
+/// eight nested labels from one stack would have more than all.
+constexpr double GrowthOfKept = 0.09;
+}
+
 void ImproveStructures(const std::vector<StructureSurface>& structures,
   const ImprovementLimits& limits, bool keepContours, const Execution& execution)
 {
@@ -18,6 +30,14 @@ void ImproveStructures(const std::vector<StructureSurface>& structures,
   }
   ImprovementLimits own = limits;
   own.Kept = sheets.CountKept();
+  if (keepContours)
+  {
+    own.Growth = GrowthOfKept;
+  }
+  else
+  {
+    own.Tolerance *= ShareOfSide;
+  }
   ImprovableMesh mesh = sheets.MakeMesh();
   SpatialGrid grid = structures.front().Geometry.Grid;
   grid.Lowest.fill(-HUGE_VAL); // each structure has bounds of its own, which are rooms of the mesh
