@@ -92,9 +92,7 @@ std::string DescribeMissingFamilies(
     return std::string();
   }
   return "\nOnly the x-slices (port 0) are given, and all of them lie on parallel planes. If there "
-         "are "
-         "slices in other directions, give them, too (in ParaView: Edit, Change Input). For one "
-         "family "
-         "of slices there is Parallel Slice Reconstruction.";
+         "are slices in other directions, give them, too (in ParaView: Edit, Change Input). For "
+         "one family of slices there is Parallel Slice Reconstruction.";
 }
 }

@@ -278,8 +278,7 @@ void LabelRunner::SettleCells()
 /// The progress when surfaces are made, but for the shape of their triangles.
 double LabelRunner::EndOfFilling() const
 {
-  const PatchOptions& patching = this->Settings.Patching;
-  return patching.Accuracy > 0.0 || patching.OwnAccuracy ? ProgressOfFilling : 1.0;
+  return this->Settings.Patching.IsLight() ? ProgressOfFilling : 1.0;
 }
 
 /// Triangles of good shape, if they are to be few. How far that is nobody knows, but it can be

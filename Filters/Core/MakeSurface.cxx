@@ -203,7 +203,7 @@ Ranks ProcessesOf(const Pass& pass)
 double AccuracyOf(const PatchOptions& patching, const Pass& pass)
 {
   const Reconstruction& result = pass.Result;
-  if (!GivesNormals(patching.Method) || !(patching.OwnAccuracy || patching.Accuracy > 0.0))
+  if (!GivesNormals(patching.Method) || !patching.IsLight())
   {
     return 0.0;
   }
@@ -252,9 +252,9 @@ LightGraph DrawOutlines(double accuracy, Pass& pass)
 }
 
 /// Whether triangles are improved, which takes all of them.
-bool AreToBeImproved(double accuracy, const Reconstruction& result)
+bool AreToBeImproved(double accuracy, const SpatialGrid& grid)
 {
-  return accuracy > 0.0 && result.Grid.Metric.IsWorld();
+  return accuracy > 0.0 && grid.Metric.IsWorld();
 }
 
 /// Fills all cycles, or those of the part, and lays the patches out as triangles.
@@ -265,7 +265,7 @@ void LayOutPatches(const PatchOptions& patching, LightGraph&& light, Pass& pass)
     { GeometryOf(result), result.Cells, result.Normals, result.Surface.CentralPoints,
       result.Surface.Meshes, light.Any() ? &light : nullptr },
     patching, pass.Execute);
-  const bool ofAll = patching.Part == nullptr || AreToBeImproved(patching.Accuracy, result);
+  const bool ofAll = patching.Part == nullptr || AreToBeImproved(patching.Accuracy, result.Grid);
   if (patching.Part != nullptr && ofAll)
   {
     result.Surface.Inner = JoinParts(ProcessesOf(pass), result.Surface.Inner);
@@ -299,7 +299,7 @@ ImprovementLimits LimitsOf(double accuracy, const SpatialGrid& grid)
 void ImproveIfLight(double accuracy, Pass& pass)
 {
   Reconstruction& result = pass.Result;
-  if (AreToBeImproved(accuracy, result))
+  if (AreToBeImproved(accuracy, result.Grid))
   {
     ImprovementLimits limits = LimitsOf(accuracy, result.Grid);
     limits.Kept = pass.Settings.Patching.KeepContours ? result.Graph.Count() : 0;
@@ -374,13 +374,10 @@ bool FillTogether(
 void ImproveTogether(double accuracy, const PatchOptions& patching,
   const std::vector<StructureSurface>& structures, const Execution& execution)
 {
-  if (!structures.empty() && accuracy > 0.0)
+  if (!structures.empty() && AreToBeImproved(accuracy, structures.front().Geometry.Grid))
   {
-    const SpatialGrid& grid = structures.front().Geometry.Grid;
-    if (grid.Metric.IsWorld())
-    {
-      ImproveStructures(structures, LimitsOf(accuracy, grid), patching.KeepContours, execution);
-    }
+    ImproveStructures(structures, LimitsOf(accuracy, structures.front().Geometry.Grid),
+      patching.KeepContours, execution);
   }
 }
 }

@@ -64,7 +64,7 @@ double LoopShares::StartOf(std::size_t loop) const
 
 StageShares::StageShares(const Options& options, const SpatialGrid& grid)
 {
-  const bool isLight = options.Patching.Accuracy > 0.0 || options.Patching.OwnAccuracy;
+  const bool isLight = options.Patching.IsLight();
   const bool isStack = FindOnlyFamily(grid) >= 0;
   double sum = 0.0;
   for (std::size_t i = 0; i < Count; ++i)

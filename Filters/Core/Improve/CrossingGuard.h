@@ -33,8 +33,8 @@ std::vector<Box3> BoxesOf(const CornerTable& corners, const std::vector<Point3>&
  * in a projection along an axis needs no tests of pairs, and neither does what a line in that
  * projection separates; the rest is tested triangle against triangle. All tests are exact, or say
  * no when they are not certain. Where sheets meet, their points at one place count as one, and a
- * side between two of these places stays the only one. Time does not grow with the surface, where few triangles are near
- * each other.
+ * side between two of these places stays the only one. Time does not grow with the surface, where
+ * few triangles are near each other.
  */
 class CrossingGuard
 {

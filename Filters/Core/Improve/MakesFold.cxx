@@ -107,24 +107,24 @@ private:
       return; // it was added from its other side
     }
     this->Borders.ForCopiesOf(a,
-      [&](Index copy)
+      [&](Index p) { this->Borders.ForCopiesOf(b, [&](Index q) { this->AddBothSides(p, q); }); });
+  }
+
+  /// Adds an edge of the table as a side of its triangles that stay, if there is one.
+  void AddBothSides(Index p, Index q)
+  {
+    const Index edge = this->Corners.FindEdge(p, q);
+    if (edge < 0)
+    {
+      return;
+    }
+    for (const Index corner : { edge, this->Corners.OppositeOf(edge) })
+    {
+      if (!this->IsRemoved(corner / 3) && !this->Borders.IsBeyond(this->Corners, corner / 3))
       {
-        this->Corners.ForCornersAt(copy,
-          [&](Index corner)
-          {
-            for (const Index at : { CornerTable::Next(corner), CornerTable::Previous(corner) })
-            {
-              const Index other = this->Corners.VertexOf(at == CornerTable::Next(corner)
-                  ? CornerTable::Previous(corner)
-                  : CornerTable::Next(corner));
-              if (this->Borders.AreCopies(other, b) && !this->IsRemoved(corner / 3) &&
-                !this->Borders.IsBeyond(this->Corners, corner / 3))
-              {
-                this->AddEdge(at);
-              }
-            }
-          });
-      });
+        this->AddEdge(corner);
+      }
+    }
   }
 
   /// Adds one side of each triangle around those that are removed: the one at which they meet.

@@ -66,6 +66,8 @@ struct PatchOptions
   double Accuracy = 0.0;
   /// If Accuracy is 0, it follows from the error of the surface, as FitError estimates it.
   bool OwnAccuracy = false;
+  /// Whether triangles are to be few.
+  bool IsLight() const { return this->OwnAccuracy || this->Accuracy > 0.0; }
   /// With few triangles, contours keep their vertices all the same.
   bool KeepContours = false;
   /// Patches of structures that were made before: taken over where borders are the same, and added
