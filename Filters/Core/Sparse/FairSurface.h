@@ -29,8 +29,8 @@ enum class EdgeWeights
  * creases is left as it is, and so is a component with contours in one slice alone. With cotangents
  * and a StretchAxis, what spreads far from its contours is pulled to the middle of its slab
  * (SlabPull). Points that would leave their cell are moved onto its boundary, and the others placed
- * anew, three times at most; what is outside then is moved onto the boundary alone. So all free
- * points are within their cells. Triangles may cross.
+ * anew if that was more than a hundredth of the cell, three times at most; with uniform weights and
+ * a StretchAxis not at all. So all free points are within their cells. Triangles may cross.
  * Where the equations have no finite solution, points stay as they are.
  */
 void FairSurface(EdgeWeights weights, SurfaceMesh& mesh);

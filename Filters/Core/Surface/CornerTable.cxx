@@ -3,6 +3,7 @@
 #include "Core/Surface/CornerTable.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 
@@ -119,6 +120,35 @@ Index CornerTable::CountCurves(Index vertex) const
   return count;
 }
 
+Index CornerTable::CountCommonNeighbors(Index start, Index end) const
+{
+  // The neighbors of the end, looked up once, unless it is the centre of a large fan.
+  constexpr Index most = 16;
+  std::array<Index, most> around;
+  Index count = 0;
+  this->ForCornersAt(end,
+    [&](Index at)
+    {
+      if (count < most)
+      {
+        around[count] = this->Vertex[Next(at)];
+      }
+      ++count;
+    });
+  Index common = 0;
+  this->ForCornersAt(start,
+    [&](Index at)
+    {
+      const Index neighbor = this->Vertex[Next(at)];
+      const bool isCommon = neighbor != end &&
+        (count <= most
+            ? std::find(around.begin(), around.begin() + count, neighbor) != around.begin() + count
+            : this->AreAdjacent(neighbor, end));
+      common += isCommon ? 1 : 0;
+    });
+  return common;
+}
+
 bool CornerTable::CanCollapse(Index corner) const
 {
   const Index start = this->StartOf(corner);
@@ -135,16 +165,8 @@ bool CornerTable::CanCollapse(Index corner) const
       return false; // two curves would become one
     }
   }
-  Index common = 0;
-  Index valence = 0;
-  this->ForCornersAt(start,
-    [&](Index at)
-    {
-      ++valence;
-      const Index neighbor = this->Vertex[Next(at)];
-      common += neighbor != end && this->AreAdjacent(neighbor, end) ? 1 : 0;
-    });
-  return common == 2 && valence + this->Valence(end) > 7;
+  return this->Valence(start) + this->Valence(end) > 7 &&
+    this->CountCommonNeighbors(start, end) == 2;
 }
 
 void CornerTable::Collapse(Index corner)

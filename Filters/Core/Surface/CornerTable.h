@@ -84,6 +84,7 @@ private:
   void Link(Index corner, Index opposite);
   void SetTriangle(Index triangle, Index a, Index b, Index c);
   Index CountCurves(Index vertex) const;
+  Index CountCommonNeighbors(Index start, Index end) const;
 
   std::vector<Index> Vertex, Opposite;
   std::vector<std::uint8_t> Curve;
