@@ -23,6 +23,9 @@ install_packages()
     sudo=sudo
   fi
   $sudo apt-get -qq update
+  # How much that is, with all that they need.
+  LC_ALL=C apt-get install --no-install-recommends --assume-no "${missing[@]}" 2> /dev/null \
+    | sed -n 's/^\(Need to get\|After this\)/   &/p' || true
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends \
     -o Dpkg::Use-Pty=0 "${missing[@]}" > /dev/null
 }
