@@ -270,7 +270,7 @@ TEST_F(Report, NamesADoubtAndTheSliceThatSettlesIt)
   this->Result.Joins.front().Chosen = true;
   findDoubts();
   const std::string text = this->Text();
-  EXPECT_TRUE(Contains(text, "At 1 places the slices hardly say")) << text;
+  EXPECT_TRUE(Contains(text, "At 1 place the slices hardly say")) << text;
   EXPECT_TRUE(Contains(text, "would settle 1 of them")) << text;
   EXPECT_EQ(CountMessages(text), 1);
 }

@@ -710,7 +710,7 @@ TEST(ReportOfFilter, SaysNothingAboutShapesThatComeOutRight)
       else
       {
         ASSERT_EQ(warnings.size(), 1u);
-        EXPECT_TRUE(Contains(warnings[0], "places the slices hardly say")) << warnings[0];
+        EXPECT_TRUE(Contains(warnings[0], "the slices hardly say")) << warnings[0];
         EXPECT_TRUE(Contains(warnings[0], "would settle")) << warnings[0];
         EXPECT_FALSE(Contains(warnings[0], "contradict")) << warnings[0];
       }

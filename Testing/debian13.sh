@@ -54,8 +54,8 @@ make_root()
   in_root "apt-get -qq update
     apt-get -qq install -y --no-install-recommends -o Dpkg::Use-Pty=0 g++ cmake ninja-build python3-dev \
       libgtest-dev libcgal-dev libeigen3-dev libopenmpi-dev openmpi-bin paraview paraview-dev \
-      python3-paraview libtbb-dev libglew-dev libfreetype-dev libqt6sql6-sqlite qt6-svg-plugins xvfb xauth python3-numpy \
-      python3-pydicom python3-gdcm dpkg-dev file > /dev/null
+      python3-paraview libtbb-dev libglew-dev libfreetype-dev libqt6sql6-sqlite qt6-svg-plugins qt6-tools-dev \
+      xvfb xauth python3-numpy python3-pydicom python3-gdcm dpkg-dev file > /dev/null
     $link_modules
     touch /complete"
 }

@@ -4,36 +4,62 @@
 #
 # Installs what the project is built and tested with on Debian 12, if it is missing.
 
-install_packages()
+as_root()
 {
-  local missing=()
+  if [ "$(id -u)" -ne 0 ]; then
+    sudo "$@"
+  else
+    "$@"
+  fi
+}
+
+# Those of the packages that are not installed, in `missing`.
+find_missing()
+{
+  missing=()
   local package
   for package in "$@"; do
     if [ "$(dpkg-query -W -f='${Status}' "$package" 2> /dev/null)" != "install ok installed" ]; then
       missing+=("$package")
     fi
   done
-  if [ ${#missing[@]} -eq 0 ]; then
-    return 0
-  fi
+}
 
-  echo "-- Installing ${missing[*]}"
-  local sudo=
-  if [ "$(id -u)" -ne 0 ]; then
-    sudo=sudo
+# Says what is going to be installed, and how much that is with all that it needs.
+announce_packages()
+{
+  find_missing "$@"
+  if [ ${#missing[@]} -gt 0 ]; then
+    echo "-- Installing ${missing[*]}"
+    as_root apt-get -qq update
+    LC_ALL=C apt-get install --no-install-recommends --assume-no "${missing[@]}" 2> /dev/null \
+      | sed -n 's/^\(Need to get\|After this\)/   &/p' || true
   fi
-  $sudo apt-get -qq update
-  $sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends \
-    -o Dpkg::Use-Pty=0 "${missing[@]}" > /dev/null
+}
+
+install_announced()
+{
+  find_missing "$@"
+  if [ ${#missing[@]} -gt 0 ]; then
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends \
+      -o Dpkg::Use-Pty=0 "${missing[@]}" > /dev/null
+  fi
+}
+
+install_packages()
+{
+  announce_packages "$@"
+  install_announced "$@"
 }
 
 # Compiler, CMake, GoogleTest, ParaView with its development files and the library that draws its icons,
 # and what Python reads DICOM files with; and the packages given.
+dependencies=(g++ cmake ninja-build python3-dev libgtest-dev libcgal-dev libeigen3-dev libopenmpi-dev
+  openmpi-bin paraview paraview-dev python3-paraview libtbb-dev libglew-dev libfreetype-dev libqt5svg5
+  xvfb xauth python3-numpy python3-pydicom python3-gdcm)
 install_dependencies()
 {
-  install_packages g++ cmake ninja-build python3-dev libgtest-dev libcgal-dev libeigen3-dev \
-    libopenmpi-dev openmpi-bin paraview paraview-dev python3-paraview libtbb-dev libglew-dev \
-    libfreetype-dev libqt5svg5 xvfb xauth python3-numpy python3-pydicom python3-gdcm "$@"
+  install_packages "${dependencies[@]}" "$@"
 }
 
 # What the core is built with and looked at by clang-tidy.

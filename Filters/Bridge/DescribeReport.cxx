@@ -208,9 +208,9 @@ void DescribeDoubts(const Reconstruction& result, std::ostringstream& text)
   }
   const Point3& first = doubtful.Places.front().Where;
   const ProposedPlane& plane = doubtful.Planes.front();
-  text << "\nAt " << doubtful.Places.size()
-       << " places the slices hardly say which parts belong together, for example at (" << first[0]
-       << ", " << first[1] << ", " << first[2] << "). A slice at " << AxisNames[plane.Axis] << " = "
+  text << "\nAt " << doubtful.Places.size() << (doubtful.Places.size() == 1 ? " place" : " places")
+       << " the slices hardly say which parts belong together, for example at (" << first[0] << ", "
+       << first[1] << ", " << first[2] << "). A slice at " << AxisNames[plane.Axis] << " = "
        << plane.Coordinate << " would settle " << plane.Settles
        << " of them. See the table of undecided places.";
 }

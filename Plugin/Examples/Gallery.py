@@ -4,8 +4,8 @@
 
     pvpython Gallery.py Data picture.png [OrthogonalSlices.so]
 
-Each folder of Data with n32_x.vtp, n32_y.vtp and n32_z.vtp is one. Without the path of the plugin, the
-folder in which it lies has to be in PV_PLUGIN_PATH. ParaView needs a display; without one, put xvfb-run
+Each folder of Data with n32_x.vtp, n32_y.vtp and n32_z.vtp is one. Without the path of the plugin, it is
+the one that ParaView lists, or that of a build folder of the repository. ParaView needs a display; without one, put xvfb-run
 -a -s "-noreset -screen 0 1280x1024x24" in front.
 """
 

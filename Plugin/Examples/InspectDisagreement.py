@@ -4,7 +4,8 @@
 
     pvpython InspectDisagreement.py x.vtp y.vtp z.vtp picture.png [options]
 
-    --plugin FILE             OrthogonalSlices.so; without it, PV_PLUGIN_PATH has to name its folder
+    --plugin FILE             OrthogonalSlices.so; without it, the one that ParaView lists, or
+                              that of a build folder of the repository
     --top N                   how many slices are listed (default 8)
     --shift AXIS INDEX DU DV  first move slice INDEX (from 0, ascending) of AXIS (x, y or z) within its
                               plane, by DU and DV along the two other axes in cyclic order: a patient who

@@ -7,10 +7,11 @@ r"""Reconstruct a surface from three files of contours, save it and a picture of
 
 The files hold contours on planes of constant x, y and z. The picture shows the contours on the left
 and the surface on the right; it is 1600 pixels wide, or as wide as is said. Without the path of the
-plugin, the folder in which it lies has to be in PV_PLUGIN_PATH. ParaView needs a display; without
-one, put xvfb-run -a -s -noreset in front.
+plugin, it is the one that ParaView lists (PV_PLUGIN_PATH names its folder), or that of a build folder of
+the repository. ParaView needs a display; without one, put xvfb-run -a -s -noreset in front.
 """
 
+import pathlib
 import sys
 
 from paraview import servermanager, simple
@@ -18,13 +19,29 @@ from paraview import servermanager, simple
 BACKGROUND = [1.0, 1.0, 1.0]
 SURFACE = [0.89, 0.80, 0.66]
 AXES = [[0.80, 0.22, 0.18], [0.16, 0.55, 0.25], [0.18, 0.36, 0.72]]
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILDS = ("build/paraview", "build/demo/paraview")
+
+
+def find_plugin():
+    """The plugin in the build folders of the repository that this file lies in; None if there is none."""
+    found = (path for build in BUILDS for path in (ROOT / build / "lib").rglob("OrthogonalSlices.so"))
+    return next(found, None)
 
 
 def load_plugin(path=None):
-    if path:
-        simple.LoadPlugin(path, remote=False, ns=simple.__dict__)
-    elif not hasattr(simple, "OrthogonalSliceReconstruction"):
-        simple.LoadDistributedPlugin("OrthogonalSlices", remote=False, ns=simple.__dict__)
+    """The plugin at the path, the one that ParaView lists, or that of a build folder."""
+    if not path and hasattr(simple, "OrthogonalSliceReconstruction"):
+        return
+    if not path:
+        try:
+            simple.LoadDistributedPlugin("OrthogonalSlices", remote=False, ns=simple.__dict__)
+            return
+        except RuntimeError:  # ParaView lists none
+            path = find_plugin()
+            if not path:
+                raise
+    simple.LoadPlugin(str(path), remote=False, ns=simple.__dict__)
 
 
 def reconstruct(files):

@@ -6,9 +6,36 @@
 # alone, which belongs to Debian's paraview-dev, where ParaView's own want xmlpatterns as well, which
 # Qt 6 has no more. The archive is the same for Qt 5 and Qt 6.
 
-# ParaView 5.13 asks for no pages where it was built with Qt 6, as its own need tools of Qt 5. The
-# plugin has nothing else of Qt.
+# ParaView 5.13 asks for no pages where it was built with Qt 6, as its own need tools of Qt 5. It hears
+# the true version below, when it has asked.
+set(_help_qt "${PARAVIEW_QT_MAJOR_VERSION}")
 set(PARAVIEW_QT_MAJOR_VERSION 5)
+
+# With Qt 6, something has to let ParaView take the pages: pqWritableHelp.h. Debian: qt6-tools-dev.
+set(_help_interfaces)
+set(_help_sources)
+if (_help_qt EQUAL 6)
+  find_package(Qt6 QUIET COMPONENTS Core Widgets Help)
+  if (Qt6_FOUND)
+    paraview_plugin_add_auto_start(
+      CLASS_NAME pqWritableHelp
+      INTERFACES _help_interfaces
+      SOURCES    _help_sources)
+    list(APPEND _help_sources Help/pqWritableHelp.cxx Help/pqWritableHelp.h)
+    include_directories("${CMAKE_CURRENT_LIST_DIR}")
+  else ()
+    message(STATUS "ParaView's help button will not find the plugin's pages: that takes Qt6Help")
+  endif ()
+endif ()
+
+# Has the plugin linked with the libraries of ParaView's widgets themselves. Their targets want the
+# headers of all that they are linked with in turn, down to boost and HDF5.
+function (link_help plugin)
+  get_target_property(_libraries "${plugin}" LINK_LIBRARIES)
+  list(TRANSFORM _libraries REPLACE "^ParaView::pq[A-Za-z]+$" "$<TARGET_FILE:\\0>")
+  list(TRANSFORM _libraries REPLACE "^Qt6::Core$" "Qt6::Help")
+  set_property(TARGET "${plugin}" PROPERTY LINK_LIBRARIES "${_libraries}")
+endfunction ()
 
 set(_help_source "${CMAKE_CURRENT_LIST_DIR}")
 
@@ -39,4 +66,5 @@ function (paraview_client_generate_help)
     VERBATIM)
   add_custom_target("${_help_TARGET}" DEPENDS "${_archive}")
   set("${_help_OUTPUT_PATH}" "${_archive}" PARENT_SCOPE)
+  set(PARAVIEW_QT_MAJOR_VERSION "${_help_qt}" PARENT_SCOPE)
 endfunction ()

@@ -177,10 +177,14 @@ orthogonal_slices_package(python python
   "The Python package orthogonalslices: reconstruct() for arrays of NumPy, and\nthe classes of VTK. With examples that read the formats contours come in."
   "${_library}" "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR})"
   python3-numpy ${_vtk_python})
+set(_plugin_depends "${_library}" paraview)
+if (PARAVIEW_QT_MAJOR_VERSION EQUAL 6)
+  list(APPEND _plugin_depends libqt6sql6-sqlite) # with which ParaView reads help pages
+endif ()
 orthogonal_slices_package(plugin science
   "surfaces from orthogonal sets of planar contours: ParaView's plugin"
   "Orthogonal Slice Reconstruction, Parallel Slice Reconstruction and Orthogonal\nSlicer in the menu of ParaView, which loads the plugin when it starts."
-  "${_library}" paraview)
+  ${_plugin_depends})
 # No program is in it that would be linked.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 

@@ -3,7 +3,10 @@
 """pvpython TestPlugin.py <plugin> <Data>: both filters, their properties and outputs."""
 
 import os
+import pathlib
+import shutil
 import sys
+import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
@@ -374,8 +377,26 @@ def check_labels():
     check(abs(volume / samples - 1) < 0.05, f"{samples} samples, but the volume is {volume}")
 
 
+def check_examples_find_the_plugin():
+    """That of the build folder of the repository in which they lie."""
+    example = pathlib.Path(__file__).resolve().parents[2] / "Plugin" / "Examples" / "ReconstructFiles.py"
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder).resolve()
+        (root / "Plugin" / "Examples").mkdir(parents=True)
+        shutil.copy(example, root / "Plugin" / "Examples")
+        built = root / "build" / "demo" / "paraview" / "lib" / "plugins" / "OrthogonalSlices.so"
+        built.parent.mkdir(parents=True)
+        sys.path.insert(0, str(root / "Plugin" / "Examples"))
+        import ReconstructFiles
+        sys.path.pop(0)
+        check(ReconstructFiles.find_plugin() is None, "a plugin is found where none is")
+        built.touch()
+        check(ReconstructFiles.find_plugin() == built, f"found: {ReconstructFiles.find_plugin()}")
+
+
 def main(plugin, data):
     load_plugin(plugin, remote=False)
+    check_examples_find_the_plugin()
     check_defaults()
     check_documentation()
     check_sphere()

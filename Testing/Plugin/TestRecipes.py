@@ -55,6 +55,15 @@ class RecipeTest(FormatTest):
 
 
 class Scripts(RecipeTest):
+    def test_help_is_what_is_asked_for(self):
+        for script in (CardiacVolumes, CutMesh, FenceSections, ReconstructAny):
+            for arguments, status in ((["--help"], 0), ([], script.__doc__)):
+                out = io.StringIO()
+                with self.assertRaises(SystemExit) as end, contextlib.redirect_stdout(out):
+                    script.main(arguments)
+                self.assertEqual(end.exception.code, status)
+                self.assertEqual(script.__doc__ in out.getvalue(), not status)
+
     def test_cuts_through_a_mesh(self):
         sphere = vtkSphereSource()
         sphere.SetThetaResolution(64)

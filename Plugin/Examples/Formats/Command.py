@@ -9,9 +9,12 @@ from .Structures import FormatError
 
 
 def parser_of(arguments, usage, help_text):
-    """A parser whose help is the docstring of the script. Prints that, and ends, if it is asked for
-    or if there are no arguments."""
-    if not arguments or {"-h", "--help"}.intersection(arguments):
+    """A parser whose help is the docstring of the script. Prints that, and ends, if it is asked for;
+    without arguments it is an error."""
+    if {"-h", "--help"}.intersection(arguments):
+        print(help_text)
+        sys.exit(0)
+    if not arguments:
         sys.exit(help_text)
     return argparse.ArgumentParser(usage=usage, add_help=False)
 
