@@ -18,6 +18,9 @@ constexpr double MaxCubes = 128.0;
 /// How far around a triangle all is taken along, as a share of the side of a block.
 constexpr double MarginOfTriangle = 1.0 / 16.0;
 
+/// Where more than one of so many triangles are wanted, most are near them.
+constexpr std::size_t ManyOfAll = 50;
+
 /// Triangles that a thread sorts into blocks at a time.
 constexpr std::size_t ChunkSize = 65536;
 
@@ -97,6 +100,7 @@ BlockGrid::BlockGrid(const Box3& around, double side, double shift)
   const double longest = std::max({ extent[0], extent[1], extent[2] });
   this->Length = std::max(side, longest / MaxCubes);
   this->Length = this->Length > 0.0 ? this->Length : 1.0;
+  this->Inverse = 1.0 / this->Length;
   for (int axis = 0; axis < 3; ++axis)
   {
     this->Low[axis] = around.Low[axis] - (1.0 - shift) * this->Length;
@@ -107,7 +111,7 @@ BlockGrid::BlockGrid(const Box3& around, double side, double shift)
 
 Index BlockGrid::PlaceOf(int axis, double coordinate) const
 {
-  const double place = (coordinate - this->Low[axis]) / this->Length;
+  const double place = (coordinate - this->Low[axis]) * this->Inverse;
   const Index last = this->Counts[axis] - 1;
   Index i = place > 0.0 ? static_cast<Index>(std::min<double>(last, place)) : 0;
   // As BoxOf has it, whatever was rounded.
@@ -204,6 +208,7 @@ BlockLists ListBlocks(const BlockGrid& blocks, const ImprovableMesh& mesh,
   ForChunks(count, execution,
     [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
+      hits[chunk].reserve(wanted.size() < count / ManyOfAll ? 0 : end - begin);
       for (Index triangle = static_cast<Index>(begin); triangle < static_cast<Index>(end);
            ++triangle)
       {

@@ -86,7 +86,7 @@ private:
   Index PlaceOf(int axis, double coordinate) const;
 
   Point3 Low;
-  double Length;
+  double Length, Inverse;
   std::array<Index, 3> Counts;
 };
 

@@ -85,6 +85,8 @@ void SetImproved(
   }
   ImprovedTriangles& improved = patches.Improved;
   improved = {};
+  improved.Origin.reserve(points.size());
+  improved.Points.reserve(3 * points.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     if (places[i] >= 0)

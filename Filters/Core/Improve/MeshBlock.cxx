@@ -21,6 +21,7 @@ public:
       this->Slots.resize(2 * this->Slots.size());
     }
     std::fill(this->Slots.begin(), this->Slots.end(), Slot{ -1, -1 });
+    this->Keys.reserve(most);
   }
 
   /// The order of a key, which comes now if it has not come before.
@@ -68,6 +69,7 @@ std::vector<Group> FindGroups(const ImprovableMesh& whole, const MeshBlock& bloc
   const std::vector<Index>& points, const std::vector<std::array<Index, 3>>& triangles)
 {
   std::vector<Group> groups;
+  groups.reserve(points.size());
   for (const Index point : points)
   {
     groups.push_back(point < whole.Borders.Beyond ? Beyond
@@ -135,6 +137,7 @@ void MeshBlock::NumberPoints(const ImprovableMesh& whole, Index kept)
   this->FirstFree = next[KeptInside];
   this->Kept = next[Movable];
   std::vector<Index> numbers;
+  numbers.reserve(groups.size());
   this->Points.resize(groups.size());
   for (std::size_t i = 0; i < groups.size(); ++i)
   {
@@ -151,6 +154,8 @@ void MeshBlock::NumberPoints(const ImprovableMesh& whole, Index kept)
 void MeshBlock::CopyPoints(const ImprovableMesh& whole)
 {
   this->Mesh.Rooms = whole.Rooms;
+  this->Mesh.Points.reserve(this->Points.size());
+  this->Mesh.Normals.reserve(this->Points.size());
   for (const Index point : this->Points)
   {
     this->Mesh.Points.push_back(whole.Points[point]);
