@@ -63,6 +63,8 @@ struct ImprovementLimits
   Index Kept = 0;          ///< the first so many points stay where they are
   /// New triangles for each that there is, at most: a guard, as splits make something better. 0: none.
   double Growth = 1.0;
+  /// Whether it is divided into blocks, which has each grow by itself; else there is one.
+  bool Divides = true;
 };
 }
 

@@ -138,7 +138,7 @@ void MeshImprover::Run(Round round, const Box3& around, double side)
   const double whole = std::max({ extent[0], extent[1], extent[2] });
   for (const Division& division : Divisions)
   {
-    if (this->Pending.empty() || division.Side * side >= whole ||
+    if (!this->Limits.Divides || this->Pending.empty() || division.Side * side >= whole ||
       this->TrianglesAtFirst < LeastOfBlock)
     {
       break;
