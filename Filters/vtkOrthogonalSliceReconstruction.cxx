@@ -375,7 +375,8 @@ void vtkOrthogonalSliceReconstruction::WriteOutputs(
   carrier.AddToSurface(surface->GetCellData());
   orthoslices::CutAtBorder(openBorder, frame, surface);
   const bool mayBeOpen = this->BorderContours == LEAVE_OPEN_AT_BORDER;
-  orthoslices::WriteComponentTable(surface, mayBeOpen, ranks, vtkTable::GetData(outputs, 7));
+  orthoslices::WriteComponentTable(surface, mayBeOpen, ranks,
+    orthoslices::ExecuteLoops(this, 0.9, 1.0), vtkTable::GetData(outputs, 7));
   this->UpdateProgress(1.0);
 }
 

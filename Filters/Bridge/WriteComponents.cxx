@@ -14,7 +14,8 @@
 
 namespace orthoslices
 {
-void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, const Ranks& ranks, vtkTable* table)
+void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, const Ranks& ranks,
+  const Execution& execution, vtkTable* table)
 {
   auto* ids = vtkIntArray::SafeDownCast(surface->GetCellData()->GetArray("ComponentId"));
   auto* number =
@@ -26,7 +27,7 @@ void WriteComponentTable(vtkPolyData* surface, bool mayBeOpen, const Ranks& rank
     {
       measures = MeasureComponents(xyz, triangles, count, ids->GetPointer(0),
         static_cast<int>(number->GetValue(0)), mayBeOpen, ranks);
-      seeds = FindSeeds(xyz, triangles, count, ids->GetPointer(0), measures, ranks);
+      seeds = FindSeeds(xyz, triangles, count, ids->GetPointer(0), measures, ranks, execution);
     });
   auto* component = AddColumn<vtkIntArray>(table, "ComponentId");
   auto* area = AddColumn<vtkDoubleArray>(table, "Area");

@@ -280,7 +280,7 @@ void PrintStages(vtkOrthogonalSliceReconstruction* filter, bool doublePrecision,
   orthoslices::WriteSurface(
     std::move(result), execution, doublePrecision, { true, false }, 0.0, surface);
   timer.End("WriteSurface");
-  orthoslices::WriteComponentTable(surface, false, orthoslices::Ranks(), components);
+  orthoslices::WriteComponentTable(surface, false, orthoslices::Ranks(), execution, components);
   timer.End("WriteComponentTable");
   timer.PrintSums();
 }

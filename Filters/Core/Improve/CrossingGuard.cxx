@@ -321,11 +321,6 @@ bool CrossingGuard::Allows(const SurfaceChange& change)
     }
     box.Add(corner.Place);
   }
-  this->Whole = box;
-  for (const Index triangle : change.Removed)
-  {
-    this->Whole.Add(this->Boxes[triangle]);
-  }
   this->Near.clear();
   this->Boxes.ForBoxesAt(box, [&](Index triangle) { this->Near.push_back(triangle); });
   return std::all_of(this->Near.begin(), this->Near.end(),

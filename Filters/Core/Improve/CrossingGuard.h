@@ -46,9 +46,6 @@ public:
 
   bool Allows(const SurfaceChange& change);
 
-  /// The box around all triangles of the last change that was asked for, removed and added.
-  const Box3& Extent() const { return this->Whole; }
-
 private:
   /// A corner of the triangles that are added.
   struct Corner
@@ -100,7 +97,6 @@ private:
   std::size_t AddedAround = 0;              ///< how many of them are added; they come first
   std::vector<Index> Near;
   std::vector<std::size_t> Close; ///< of what is added, what a triangle may meet
-  Box3 Whole;
 };
 }
 

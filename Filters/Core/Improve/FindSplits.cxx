@@ -128,7 +128,7 @@ void OperationFinder::TrySplit(Index corner, double share, LocalOperation& best)
   const Point3 place = Between(this->State.At(start), this->State.At(end), share);
   LocalOperation split{ LocalOperation::Kind::Split, corner, -1,
     this->State.MoveIntoBounds(start, place), 0.0 };
-  if (this->WasRefused(split))
+  if (this->WasRefused(split) || !this->State.Block.HasInside(split.Place))
   {
     return;
   }

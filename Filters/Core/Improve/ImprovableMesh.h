@@ -13,7 +13,7 @@ namespace orthoslices
 /// A triangle surface whose triangles are to be shaped well.
 struct ImprovableMesh
 {
-  CornerTable Corners;
+  CornerTable Corners; ///< links are not needed
   std::vector<Point3> Points;
   std::vector<Point3> Normals; ///< of the surface at the points; zero where it has none
   /// Of each triangle, if it is part of a patch that no smooth surface stands behind: the number of
@@ -28,6 +28,32 @@ struct ImprovableMesh
   std::vector<Index> RoomOf{};
 };
 
+/// The box of a triangle; empty if it is gone. What stands for something beyond a border is nowhere.
+inline Box3 BoxOfPart(const ImprovableMesh& mesh, Index triangle)
+{
+  Box3 box;
+  for (Index corner = 3 * triangle; corner < 3 * triangle + 3 && mesh.Corners.IsAlive(corner);
+       ++corner)
+  {
+    if (mesh.Corners.VertexOf(corner) >= mesh.Borders.Beyond)
+    {
+      box.Add(mesh.Points[mesh.Corners.VertexOf(corner)]);
+    }
+  }
+  return box;
+}
+
+/// Whether a point is inside of a box, and not on a face.
+inline bool HasInside(const Box3& box, const Point3& point)
+{
+  bool inside = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    inside = inside && box.Low[axis] < point[axis] && point[axis] < box.High[axis];
+  }
+  return inside;
+}
+
 /// What may be done to a surface.
 struct ImprovementLimits
 {
@@ -37,6 +63,8 @@ struct ImprovementLimits
   Index Kept = 0;          ///< the first so many points stay where they are
   /// New triangles for each that there is, at most: a guard, as splits make something better. 0: none.
   double Growth = 1.0;
+  /// Whether it is divided into blocks, which has each grow by itself; else there is one.
+  bool Divides = true;
 };
 }
 

@@ -13,24 +13,33 @@ TrianglesLeft ListLeft(const ImprovableMesh& mesh)
   const CornerTable& corners = mesh.Corners;
   const Index count = corners.CornerCount() / 3;
   const Index given = count - static_cast<Index>(mesh.Origins.size());
-  std::vector<std::pair<Index, Index>> left;
-  for (Index i = 0; i < count; ++i)
+  // New ones are few: they are sorted, and taken in between.
+  std::vector<std::pair<Index, Index>> added;
+  for (Index i = given; i < count; ++i)
+  {
+    added.emplace_back(mesh.Origins[i - given], i);
+  }
+  std::sort(added.begin(), added.end());
+  TrianglesLeft result;
+  result.Triangles.reserve(static_cast<std::size_t>(count));
+  result.Numbers.reserve(static_cast<std::size_t>(count));
+  const auto add = [&](Index number, Index i)
   {
     if (corners.IsAlive(3 * i) && !mesh.Borders.IsBeyond(corners, i))
     {
-      left.emplace_back(i < given ? i : mesh.Origins[i - given], i);
+      result.Triangles.push_back(
+        { corners.VertexOf(3 * i), corners.VertexOf(3 * i + 1), corners.VertexOf(3 * i + 2) });
+      result.Numbers.push_back(number);
     }
-  }
-  if (count > given)
+  };
+  auto next = added.begin();
+  for (Index i = 0; i < given; ++i)
   {
-    std::sort(left.begin(), left.end());
-  }
-  TrianglesLeft result;
-  for (const auto& [number, i] : left)
-  {
-    result.Triangles.push_back(
-      { corners.VertexOf(3 * i), corners.VertexOf(3 * i + 1), corners.VertexOf(3 * i + 2) });
-    result.Numbers.push_back(number);
+    add(i, i);
+    for (; next != added.end() && next->first == i; ++next)
+    {
+      add(i, next->second);
+    }
   }
   return result;
 }
@@ -76,6 +85,8 @@ void SetImproved(
   }
   ImprovedTriangles& improved = patches.Improved;
   improved = {};
+  improved.Origin.reserve(points.size());
+  improved.Points.reserve(3 * points.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     if (places[i] >= 0)
@@ -116,8 +127,9 @@ void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals
   }
   const std::size_t count = all.Points.size();
   std::vector<Point3> normalAt = ListNormals(normals, patches, geometry.Graph.Count(), count);
-  ImprovableMesh mesh{ CornerTable(static_cast<Index>(count), all.Triangles), std::move(all.Points),
-    std::move(normalAt), ListPlain(patches), geometry.Graph.Count() };
+  ImprovableMesh mesh{ CornerTable::WithoutLinks(static_cast<Index>(count), all.Triangles),
+    std::move(all.Points), std::move(normalAt), ListPlain(patches), geometry.Graph.Count() };
+  all = {};
   MeshImprover(geometry.Grid, limits, execution, mesh).Run();
   SetImproved(mesh.Points, count, ListLeft(mesh), patches);
 }

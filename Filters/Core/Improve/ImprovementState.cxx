@@ -21,14 +21,14 @@ std::vector<Box3> BoxesOfParts(const ImprovableMesh& mesh)
 }
 
 ImprovementState::ImprovementState(
-  const SpatialGrid& grid, const ImprovementLimits& limits, ImprovableMesh& mesh)
+  const SpatialGrid& grid, MeshBlock& block, const SurfaceSamples& samples)
   : Grid(grid)
-  , Mesh(mesh)
-  , Kept(limits.Kept)
-  , Boxes(BoxesOfParts(mesh))
-  , Samples(mesh, limits)
+  , Block(block)
+  , Mesh(block.Mesh)
+  , Boxes(BoxesOfParts(block.Mesh))
+  , Samples(samples, block)
 {
-  const Index count = mesh.Corners.CornerCount() / 3;
+  const Index count = this->Mesh.Corners.CornerCount() / 3;
   this->Qualities.resize(count);
   for (Index triangle = 0; triangle < count; ++triangle)
   {

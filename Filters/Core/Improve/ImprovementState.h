@@ -12,10 +12,11 @@
 
 namespace orthoslices
 {
-/// A surface while it is improved, and what may be done to it now.
+/// A block of a surface while it is improved, and what may be done to it now.
 struct ImprovementState
 {
-  ImprovementState(const SpatialGrid& grid, const ImprovementLimits& limits, ImprovableMesh& mesh);
+  /// Samples are those of the whole surface.
+  ImprovementState(const SpatialGrid& grid, MeshBlock& block, const SurfaceSamples& samples);
 
   const Point3& At(Index point) const { return this->Mesh.Points[point]; }
   TriangleCorners PlacesOf(Index triangle) const
@@ -37,9 +38,9 @@ struct ImprovementState
   Point3 MoveIntoBounds(Index point, const Point3& place) const;
 
   const SpatialGrid& Grid;
-  ImprovableMesh& Mesh;
-  Index Kept;    ///< the first so many points stay where they are
-  BoxTree Boxes; ///< of the triangles
+  const MeshBlock& Block;
+  ImprovableMesh& Mesh; ///< that of the block
+  BoxTree Boxes;        ///< of the triangles
   SurfaceSamples Samples;
   std::vector<double> Qualities; ///< of each triangle: its SquaredSine; 1 if it is none
   double Slack = 1.0;            ///< how many tolerances the surface may move,

@@ -2,368 +2,295 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Improve/MeshImprover.h"
 
-#include "Core/Base/Vectors.h"
-#include "Core/Improve/MakesFold.h"
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <memory>
+#include <optional>
 
 namespace orthoslices
 {
 namespace
 {
-constexpr double Degree = 3.14159265358979323846 / 180.0;
+/// Triangles of a block, if that is a plane sheet: so few that what is known of them fits into the
+/// cache, and so many that few lie at its faces; of small surfaces, so few that there are blocks for
+/// all threads.
+constexpr double MostOfBlock = 8000.0;
+constexpr double LeastOfBlock = 1500.0;
+constexpr double WantedBlocks = 48.0;
 
-/// Operations for each triangle that there is, at most: a guard, as each makes something better.
-constexpr std::size_t MaxWork = 10;
+/// Triangles that are looked at to know their size.
+constexpr Index SampledTriangles = 4096;
 
-/// Triangles below that share of the angle are split, if nothing else helps: 20 of 22 degrees.
-constexpr double SplitBound = 0.91;
+/// Blocks are so many times as large as triangles, at least, so that most have room around them.
+constexpr double LeastRoom = 16.0;
 
-/// The bounds, as shares of the one asked for: the worst come first.
-constexpr std::array<double, 3> Bounds{ 0.12, 0.5, 1.0 };
+/// Blocks that are improved before any is put back.
+constexpr std::size_t BlocksTogether = 64;
 
-/// The same of a collapse, which leaves two triangles less, so that the next one may gain more.
-constexpr double LeastOfFirstCollapse = 0.95;
-
-/// The cosine of the angle by which a triangle may turn: 60 degrees.
-constexpr double MostTurn = 0.5;
-
-/// What may be done in addition to the worst triangles that are left: those below the share of the
-/// angle may move the surface by so many tolerances, and turn by 84 degrees.
-constexpr double WorstBound = 0.23;
-constexpr double MoreForWorst = 1.4;
-constexpr double MostTurnOfWorst = 0.1;
-
-/// What is split and does not get better may move the surface by so many tolerances: with 1.4, 1.7
-/// and 2, the boot at 16 planes per axis has 97.9, 98.5 and 98.9 % of its triangles without an angle
-/// below 20 degrees, at the same RMS error; but with 2, contours come to lie farther off than the
-/// accuracy.
-constexpr double MoreForLast = 1.7;
-
-/// Below that share of the angle triangles may turn by any angle: folds and spikes, as thin as the
-/// tolerance.
-constexpr double FoldBound = 0.17;
-constexpr double AnyTurn = -2.0;
-
-/// Triangles that are looked at together, before anything is done to them: of a few, so many that
-/// they are not beside each other: of 256, two of five were in vain on thin shapes. It does not
-/// depend on the number of threads, so that the result does not either.
-std::size_t SizeOfBatch(std::size_t count)
+/// Blocks by their sides, as multiples of the first ones, and by where their faces are. What lies at
+/// faces of the first two, along two axes, does not in the next two. Larger ones are for larger
+/// triangles, until all is in one.
+struct Division
 {
-  constexpr std::size_t least = 8, most = 64, apart = 32;
-  return std::max(least, std::min(most, count / apart));
+  double Side, Shift;
+};
+constexpr std::array<Division, 12> Divisions{ { { 1.0, 0.5 }, { 1.0, 0.0 }, { 0.5, 0.5 },
+  { 0.5, 0.25 }, { 1.0, 0.75 }, { 1.0, 0.25 }, { 2.0, 0.5 }, { 2.0, 0.25 }, { 4.0, 0.5 },
+  { 4.0, 0.25 }, { 16.0, 0.5 }, { 64.0, 0.5 } } };
+constexpr double All = 1.01; ///< of what is in one
 }
 
-/// The numbers from 0 on below a count, neighbours as far from each other as batches have to be.
-std::vector<std::size_t> ListApart(std::size_t count)
+/// A block and what comes of it.
+struct MeshImprover::Piece
 {
-  std::vector<std::size_t> order;
-  order.reserve(count);
-  const std::size_t step = (count + SizeOfBatch(count) - 1) / SizeOfBatch(count);
-  for (std::size_t first = 0; first < step; ++first)
-  {
-    for (std::size_t i = first; i < count; i += step)
-    {
-      order.push_back(i);
-    }
-  }
-  return order;
-}
-}
+  std::unique_ptr<MeshBlock> Block;
+  std::optional<SurfaceSamples> Samples;
+  std::vector<std::uint8_t> Touched; ///< of each triangle: whether something beside it has changed
+  std::vector<Index> Pending;        ///< triangles that are bad and were not tried
+};
 
 MeshImprover::MeshImprover(const SpatialGrid& grid, const ImprovementLimits& limits,
   const Execution& execution, ImprovableMesh& mesh)
-  : Limits(limits)
+  : Grid(grid)
+  , Limits(limits)
   , Execute(execution)
   , Mesh(mesh)
-  , State(grid, limits, mesh)
-  , Guard(mesh.Corners, mesh.Points, this->State.Boxes, mesh.Borders)
-  , TrianglesAtFirst(this->State.Qualities.size())
-  , TouchedAt(mesh.Points.size(), 1)
-  , FailedAt(this->TrianglesAtFirst)
-  , ListedAt(this->TrianglesAtFirst, 0)
+  , TrianglesAtFirst(mesh.Corners.CornerCount() / 3)
+  , Samples(mesh, limits)
+  , Tried(static_cast<std::size_t>(this->TrianglesAtFirst), 0)
 {
-  this->State.LeastCosine = MostTurn;
-  this->State.LeastOfCollapse = LeastOfFirstCollapse;
 }
 
-/// Notes that a triangle has changed.
-void MeshImprover::Note(Index triangle)
+bool MeshImprover::IsPending(Index triangle) const
 {
-  if (this->State.Update(triangle))
+  const CornerTable& corners = this->Mesh.Corners;
+  if (this->Tried[triangle] != 0 || !corners.IsAlive(3 * triangle) ||
+    this->Mesh.Borders.IsBeyond(corners, triangle))
   {
-    this->Open.push_back(triangle);
+    return false;
   }
+  const auto at = [&](Index i) { return this->Mesh.Points[corners.VertexOf(3 * triangle + i)]; };
+  return SquaredSine({ at(0), at(1), at(2) }) < BlockImprover::WantedQuality(this->Limits);
 }
 
-/// Notes that the triangles at a point have changed.
-void MeshImprover::Touch(Index point)
+/// Lists all triangles that are to be improved, as none was tried in this round.
+void MeshImprover::ListPending()
 {
-  this->Mesh.Corners.ForCornersAt(point,
-    [&](Index corner)
-    {
-      this->TouchedAt[this->Mesh.Corners.StartOf(corner)] = this->Now;
-      this->Note(corner / 3);
-    });
-  this->TouchedAt[point] = this->Now;
-}
-
-void MeshImprover::Apply(const LocalOperation& operation)
-{
-  CornerTable& corners = this->Mesh.Corners;
-  ++this->Now;
-  this->State.Samples.Take(operation.Change.Removed,
-    operation.What == LocalOperation::Kind::Move         ? operation.Point
-      : operation.What == LocalOperation::Kind::Collapse ? corners.StartOf(operation.Corner)
-                                                         : -1);
-  if (operation.What == LocalOperation::Kind::Flip)
-  {
-    const Index across = corners.OppositeOf(operation.Corner);
-    for (const Index at : { operation.Corner, CornerTable::Next(operation.Corner),
-           CornerTable::Previous(operation.Corner), across })
-    {
-      this->TouchedAt[corners.VertexOf(at)] = this->Now;
-    }
-    corners.Flip(operation.Corner);
-    this->Note(operation.Corner / 3);
-    this->Note(across / 3);
-    this->State.Samples.PutDown(operation.Corner / 3, across / 3);
-    return;
-  }
-  if (operation.What == LocalOperation::Kind::Split)
-  {
-    this->ApplySplit(operation);
-    return;
-  }
-  Index point = operation.Point;
-  if (operation.What == LocalOperation::Kind::Collapse)
-  {
-    const Index across = corners.OppositeOf(operation.Corner);
-    point = corners.EndOf(operation.Corner);
-    corners.Collapse(operation.Corner);
-    this->Note(operation.Corner / 3);
-    this->Note(across / 3);
-  }
-  else
-  {
-    this->Mesh.Points[point] = operation.Place;
-  }
-  this->Touch(point);
-  this->State.Samples.PutDown(point);
-}
-
-void MeshImprover::ApplySplit(const LocalOperation& operation)
-{
-  CornerTable& corners = this->Mesh.Corners;
-  const Index beside[2] = { operation.Corner / 3, corners.OppositeOf(operation.Corner) / 3 };
-  // The corners of these sides, which are split, may be in other triangles then; those across are
-  // not.
-  std::vector<Index> beyond;
-  for (const Index side : operation.Flipped)
-  {
-    beyond.push_back(corners.OppositeOf(side));
-  }
-  const Index start = corners.StartOf(operation.Corner), end = corners.EndOf(operation.Corner);
-  const Point3 normal = this->Mesh.Normals[start] + this->Mesh.Normals[end];
-  const Index point = corners.Split(operation.Corner);
-  this->Mesh.Points.push_back(operation.Place);
-  this->Mesh.Normals.push_back(Dot(normal, normal) > 0.0 ? Unit(normal) : normal);
-  this->TouchedAt.push_back(this->Now);
-  if (!this->Mesh.RoomOf.empty())
-  {
-    this->Mesh.RoomOf.push_back(this->Mesh.RoomOf[start]);
-  }
-  for (const Index triangle : beside)
-  {
-    const Index origin = static_cast<std::size_t>(triangle) < this->TrianglesAtFirst
-      ? triangle
-      : this->Mesh.Origins[triangle - this->TrianglesAtFirst];
-    this->Mesh.Origins.push_back(origin);
-    this->State.Qualities.push_back(0.0);
-    this->FailedAt.push_back({});
-    this->State.Boxes.Add(Box3(), triangle);
-    this->ListedAt.push_back(0);
-    this->State.Samples.AddTriangle(triangle);
-  }
-  for (const Index corner : beyond)
-  {
-    corners.Flip(corner);
-  }
-  this->Touch(point);
-  this->State.Samples.PutDown(point);
-}
-
-/// Whether anything beside a triangle has changed since nothing helped it.
-bool MeshImprover::MayHelp(Index triangle, Means means) const
-{
-  Index touched = 0;
-  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
-  {
-    touched = std::max(touched, this->TouchedAt[this->Mesh.Corners.VertexOf(corner)]);
-  }
-  return touched > this->FailedAt[triangle][static_cast<std::size_t>(means)];
-}
-
-/// Sorts out of the open triangles those that are worse than a bound and may be helped.
-std::vector<Index> MeshImprover::ListWorse(double quality, Means means)
-{
-  ++this->Listed;
-  std::vector<Index> worse;
-  for (const Index triangle : this->Open)
-  {
-    if (this->State.QualityOf(triangle) < quality && this->ListedAt[triangle] != this->Listed &&
-      this->MayHelp(triangle, means))
-    {
-      this->ListedAt[triangle] = this->Listed;
-      worse.push_back(triangle);
-    }
-  }
-  this->Open.clear();
-  return worse;
-}
-
-/// Does what was found for some triangles, one after another, but for what others of them have
-/// changed or made impossible: that stays open.
-void MeshImprover::ApplyFound(const std::vector<Index>& triangles, Means means)
-{
-  const Index before = this->Now;
-  this->Extents.clear();
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-  {
-    LocalOperation& found = this->Found[i];
-    if (found.What == LocalOperation::Kind::None)
-    {
-      for (std::size_t failed = 0; failed <= static_cast<std::size_t>(means); ++failed)
-      {
-        this->FailedAt[triangles[i]][failed] = before;
-      }
-    }
-    else if (this->IsUntouched(found, before) && this->IsStillAllowed(found))
-    {
-      this->Extents.push_back(found.Extent);
-      this->Apply(found);
-    }
-    else
-    {
-      this->Open.push_back(triangles[i]);
-    }
-  }
-}
-
-/// Whether nothing beside what an operation changes was changed after others.
-bool MeshImprover::IsUntouched(const LocalOperation& found, Index before) const
-{
-  for (const std::array<Index, 3>& triangle : found.Change.Added)
-  {
-    for (const Index point : triangle)
-    {
-      if (point != found.Change.Point && this->TouchedAt[point] > before)
-      {
-        return false;
-      }
-    }
-  }
-  return found.What != LocalOperation::Kind::Move || this->TouchedAt[found.Point] <= before;
-}
-
-/// Whether an operation that was allowed is so after others that were done since.
-bool MeshImprover::IsStillAllowed(LocalOperation& found)
-{
-  if (found.What == LocalOperation::Kind::Split)
-  {
-    // Others may have got the number of the point.
-    const Index point = this->Mesh.Corners.PointCount();
-    for (std::array<Index, 3>& triangle : found.Change.Added)
-    {
-      std::replace(triangle.begin(), triangle.end(), found.Change.Point, point);
-    }
-    found.Change.Point = point;
-  }
-  return std::none_of(this->Extents.begin(), this->Extents.end(),
-           [&](const Box3& other) { return other.Meets(found.Extent); }) ||
-    (!MakesFold(this->Mesh.Corners, this->Mesh.Points, found.Change, this->Mesh.Borders) &&
-      this->Guard.Allows(found.Change));
-}
-
-/// Improves some triangles as far as possible at the same time.
-void MeshImprover::ImproveTogether(const std::vector<Index>& triangles, Means means)
-{
-  const bool mayGrow =
-    static_cast<double>(this->Mesh.Origins.size()) < this->Limits.Growth * this->TrianglesAtFirst;
-  const Means now = means >= Means::Splits && !mayGrow ? Means::Moves : means;
-  this->Found.assign(triangles.size(), LocalOperation());
-  this->Execute.For(triangles.size(),
+  this->Execute.For(this->Tried.size(),
     [&](std::size_t begin, std::size_t end)
     {
-      OperationFinder finder(this->State);
       for (std::size_t i = begin; i < end; ++i)
       {
-        finder.Find(triangles[i], now, this->Found[i]);
+        this->Tried[i] = 0;
+        this->Tried[i] = this->IsPending(static_cast<Index>(i)) ? 0 : 1;
       }
     });
-  this->ApplyFound(triangles, means);
+  this->Pending.clear();
+  for (std::size_t i = 0; i < this->Tried.size(); ++i)
+  {
+    if (this->Tried[i] == 0)
+    {
+      this->Pending.push_back(static_cast<Index>(i));
+    }
+  }
 }
 
-/// Improves the triangles that are worse than a bound, and those that become so.
-void MeshImprover::RunBelow(double quality, Means means)
+/// So that blocks have as many triangles as they should, and few triangles are in several.
+double MeshImprover::SideOfBlocks() const
 {
-  this->Open.resize(this->State.Qualities.size());
-  std::iota(this->Open.begin(), this->Open.end(), 0);
-  std::size_t work = MaxWork * this->Open.size();
-  std::vector<Index> batch;
-  for (std::vector<Index> worse = this->ListWorse(quality, means); !worse.empty() && work > 0;
-       worse = this->ListWorse(quality, means))
+  const Index step = this->TrianglesAtFirst / SampledTriangles + 1;
+  double area = 0.0, extent = 0.0, count = 0.0;
+  for (Index triangle = 0; triangle < this->TrianglesAtFirst; triangle += step)
   {
-    for (const std::size_t i : ListApart(worse.size()))
+    const Box3 box = BoxOfPart(this->Mesh, triangle);
+    if (this->Mesh.Corners.IsAlive(3 * triangle) &&
+      !this->Mesh.Borders.IsBeyond(this->Mesh.Corners, triangle))
     {
-      if (this->State.QualityOf(worse[i]) < quality)
-      {
-        batch.push_back(worse[i]);
-      }
-      if (batch.size() == SizeOfBatch(worse.size()))
-      {
-        this->ImproveTogether(batch, means);
-        batch.clear();
-      }
+      const auto at = [&](Index i) -> const Point3&
+      { return this->Mesh.Points[this->Mesh.Corners.VertexOf(3 * triangle + i)]; };
+      area += 0.5 * Length(AreaOf({ at(0), at(1), at(2) }));
+      extent += Length(box.High - box.Low);
+      count += 1.0;
     }
-    this->ImproveTogether(batch, means);
-    batch.clear();
-    work -= std::min(work, worse.size());
   }
+  const double wanted =
+    std::max(LeastOfBlock, std::min(MostOfBlock, this->TrianglesAtFirst / WantedBlocks));
+  return count > 0.0 ? std::max(std::sqrt(wanted * area / count), LeastRoom * extent / count) : 0.0;
 }
 
 void MeshImprover::Run()
 {
-  const auto qualityOf = [](double degrees)
+  const double side = this->SideOfBlocks();
+  Box3 around;
+  for (std::size_t i = static_cast<std::size_t>(this->Mesh.Borders.Beyond);
+       i < this->Mesh.Points.size(); ++i)
   {
-    const double sine = std::sin(degrees * Degree);
-    return sine * sine;
-  };
-  for (const double share : Bounds)
-  {
-    const double quality = qualityOf(share * this->Limits.SmallAngle);
-    this->RunBelow(quality, Means::SameShape);
-    this->RunBelow(quality, Means::Moves);
+    around.Add(this->Mesh.Points[i]);
   }
-  this->State.Slack = MoreForWorst;
-  this->State.LeastCosine = MostTurnOfWorst;
-  this->ForgetFailures();
-  this->RunBelow(qualityOf(WorstBound * this->Limits.SmallAngle), Means::Moves);
-  this->State.LeastOfCollapse = LeastGain; // else it might undo splits for ever
-  const double wanted = qualityOf(SplitBound * this->Limits.SmallAngle);
-  this->RunBelow(wanted, Means::Splits);
-  this->State.Slack = MoreForLast;
-  this->ForgetFailures();
-  this->RunBelow(wanted, Means::Beside);
-  this->State.LeastCosine = AnyTurn;
-  this->ForgetFailures();
-  this->RunBelow(qualityOf(FoldBound * this->Limits.SmallAngle), Means::Beside);
+  this->Run(Round::First, around, side);
+  this->Run(Round::Last, around, side);
 }
 
-void MeshImprover::ForgetFailures()
+void MeshImprover::Run(Round round, const Box3& around, double side)
 {
-  std::fill(this->FailedAt.begin(), this->FailedAt.end(), std::array<Index, MeansCount>{});
+  this->ListPending();
+  const Point3 extent = this->Pending.empty() ? Point3{} : around.High - around.Low;
+  const double whole = std::max({ extent[0], extent[1], extent[2] });
+  for (const Division& division : Divisions)
+  {
+    if (!this->Limits.Divides || this->Pending.empty() || division.Side * side >= whole ||
+      this->TrianglesAtFirst < LeastOfBlock)
+    {
+      break;
+    }
+    this->RunIn(BlockGrid(around, division.Side * side, division.Shift), round);
+  }
+  if (!this->Pending.empty())
+  {
+    this->RunIn(BlockGrid(around, All * whole, 1.0), round);
+  }
+}
+
+/// Improves what lies within blocks.
+void MeshImprover::RunIn(const BlockGrid& blocks, Round round)
+{
+  const BlockLists lists = ListBlocks(blocks, this->Mesh, this->Pending, this->Execute);
+  for (std::size_t first = 0; first < lists.Count(); first += BlocksTogether)
+  {
+    std::vector<Piece> pieces(std::min(BlocksTogether, lists.Count() - first));
+    this->Execute.For(pieces.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          const Index* triangles = lists.Triangles.data();
+          this->Improve(blocks.BoxOf(lists.Blocks[first + i]), lists.Cells[first + i],
+            triangles + lists.Offsets[first + i], triangles + lists.Offsets[first + i + 1], round,
+            pieces[i]);
+        }
+      });
+    this->MakeRoom(pieces);
+    this->Execute.For(pieces.size(),
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          this->PutBack(pieces[i]);
+        }
+      });
+    this->ListPendingOf(pieces);
+  }
+  std::sort(this->Pending.begin(), this->Pending.end());
+  this->Pending.erase(std::unique(this->Pending.begin(), this->Pending.end()), this->Pending.end());
+  this->Pending.erase(std::remove_if(this->Pending.begin(), this->Pending.end(),
+                        [&](Index triangle) { return !this->IsPending(triangle); }),
+    this->Pending.end());
+}
+
+/// Lists triangles of blocks that have become bad and have something frozen around them.
+void MeshImprover::ListPendingOf(const std::vector<Piece>& pieces)
+{
+  for (const Piece& piece : pieces)
+  {
+    this->Pending.insert(this->Pending.end(), piece.Pending.begin(), piece.Pending.end());
+  }
+}
+
+/// How many new triangles a block may get: what is inside keeps to the limit.
+std::size_t MeshImprover::MostNewIn(const MeshBlock& block) const
+{
+  double most = 0.0;
+  for (std::size_t i = 0; i < block.Triangles.size(); ++i)
+  {
+    if (block.IsInner(static_cast<Index>(i)))
+    {
+      most += block.Triangles[i] < this->TrianglesAtFirst ? this->Limits.Growth : -1.0;
+    }
+  }
+  return static_cast<std::size_t>(std::max(0.0, most));
+}
+
+void MeshImprover::Improve(const Box3& box, const BlockCells& cells, const Index* begin,
+  const Index* end, Round round, Piece& piece) const
+{
+  piece.Block = std::make_unique<MeshBlock>(this->Mesh, box, cells, begin, end, this->Limits.Kept);
+  BlockImprover improver(
+    this->Grid, this->Limits, this->MostNewIn(*piece.Block), *piece.Block, this->Samples);
+  improver.Run(round, this->Tried);
+  piece.Samples.emplace(improver.TakeSamples());
+  piece.Touched = improver.ListTouched();
+}
+
+/// Gives the new points and triangles of pieces their numbers.
+void MeshImprover::MakeRoom(std::vector<Piece>& pieces)
+{
+  Index points = static_cast<Index>(this->Mesh.Points.size());
+  Index triangles = this->Mesh.Corners.CornerCount() / 3;
+  const Index pointsBefore = points, trianglesBefore = triangles;
+  for (Piece& piece : pieces)
+  {
+    MeshBlock& block = *piece.Block;
+    while (block.Points.size() < block.Mesh.Points.size())
+    {
+      block.Points.push_back(points++);
+    }
+    for (std::size_t i = 0; i < block.Mesh.Origins.size(); ++i)
+    {
+      block.Triangles.push_back(triangles++);
+    }
+  }
+  this->Mesh.Corners.Grow(points - pointsBefore, triangles - trianglesBefore);
+  this->Mesh.Points.resize(points);
+  this->Mesh.Normals.resize(points);
+  if (!this->Mesh.RoomOf.empty())
+  {
+    this->Mesh.RoomOf.resize(points);
+  }
+  this->Mesh.Origins.resize(triangles - this->TrianglesAtFirst);
+  this->Samples.Grow(triangles - trianglesBefore);
+  this->Tried.resize(triangles, 0);
+}
+
+/// Puts the triangles of a piece that may have changed back into the surface.
+void MeshImprover::PutBack(Piece& piece)
+{
+  const MeshBlock& block = *piece.Block;
+  const ImprovableMesh& mesh = block.Mesh;
+  this->Mesh.Corners.PutBack({ mesh.Corners, block.Triangles, block.Points, block.FirstInner });
+  this->Samples.PutBack(*piece.Samples, block);
+  for (std::size_t i = static_cast<std::size_t>(block.FirstInner); i < block.Points.size(); ++i)
+  {
+    const Index point = block.Points[i];
+    this->Mesh.Points[point] = mesh.Points[i];
+    this->Mesh.Normals[point] = mesh.Normals[i];
+    if (!mesh.RoomOf.empty())
+    {
+      this->Mesh.RoomOf[point] = mesh.RoomOf[i];
+    }
+  }
+  const std::size_t given = block.Triangles.size() - mesh.Origins.size();
+  for (std::size_t i = 0; i < mesh.Origins.size(); ++i)
+  {
+    const Index origin = block.Triangles[mesh.Origins[i]];
+    this->Mesh.Origins[block.Triangles[given + i] - this->TrianglesAtFirst] =
+      origin < this->TrianglesAtFirst ? origin
+                                      : this->Mesh.Origins[origin - this->TrianglesAtFirst];
+  }
+  for (std::size_t i = 0; i < block.Triangles.size(); ++i)
+  {
+    const Index triangle = static_cast<Index>(i);
+    if (!mesh.Corners.IsAlive(3 * triangle) || !block.IsInner(triangle))
+    {
+      continue;
+    }
+    std::uint8_t& tried = this->Tried[block.Triangles[i]];
+    tried = block.IsFree(triangle) ? 1 : piece.Touched[i] != 0 ? 0 : tried;
+    if (this->IsPending(block.Triangles[i]))
+    {
+      piece.Pending.push_back(block.Triangles[i]);
+    }
+  }
+  piece.Block.reset();
+  piece.Samples.reset();
 }
 }

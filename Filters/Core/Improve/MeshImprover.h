@@ -4,7 +4,9 @@
 #define OrthoSlicesMeshImprover_h
 
 #include "Core/Base/Execution.h"
-#include "Core/Improve/OperationFinder.h"
+#include "Core/Improve/BlockGrid.h"
+#include "Core/Improve/BlockImprover.h"
+#include "Core/Slices/SpatialGrid.h"
 
 #include <vector>
 
@@ -16,8 +18,11 @@ namespace orthoslices
  * whatever makes the smallest angle around it the greatest. The worst triangles come first. Where
  * nothing of that may be done, long sides are split. No operation moves the surface by more than
  * the tolerance, folds it, changes its topology, or makes triangles meet but in their common
- * corners and sides (CrossingGuard). REQUIRES: the surface has all of this before. The result does
- * not depend on the number of threads.
+ * corners and sides (CrossingGuard). REQUIRES: the surface has all of this before.
+ *
+ * The surface is divided into blocks (MeshBlock), which are improved at the same time, and then
+ * again with faces elsewhere, until each triangle has been looked at with all that is around it.
+ * Neither blocks nor their order depend on the number of threads, so the result does not either.
  */
 class MeshImprover
 {
@@ -27,34 +32,28 @@ public:
   void Run();
 
 private:
-  void RunBelow(double quality, Means means);
-  std::vector<Index> ListWorse(double quality, Means means);
-  bool MayHelp(Index triangle, Means means) const;
-  void ImproveTogether(const std::vector<Index>& triangles, Means means);
-  void ApplyFound(const std::vector<Index>& triangles, Means means);
-  bool IsUntouched(const LocalOperation& found, Index before) const;
-  bool IsStillAllowed(LocalOperation& found);
-  void Apply(const LocalOperation& operation);
-  void ApplySplit(const LocalOperation& operation);
-  void Touch(Index point);
-  void Note(Index triangle);
-  void ForgetFailures();
+  struct Piece;
 
+  void Run(Round round, const Box3& around, double side);
+  void RunIn(const BlockGrid& blocks, Round round);
+  double SideOfBlocks() const;
+  void ListPending();
+  bool IsPending(Index triangle) const;
+  void ListPendingOf(const std::vector<Piece>& pieces);
+  void Improve(const Box3& box, const BlockCells& cells, const Index* begin, const Index* end,
+    Round round, Piece& piece) const;
+  std::size_t MostNewIn(const MeshBlock& block) const;
+  void MakeRoom(std::vector<Piece>& pieces);
+  void PutBack(Piece& piece);
+
+  const SpatialGrid& Grid;
   ImprovementLimits Limits;
   const Execution& Execute;
   ImprovableMesh& Mesh;
-  ImprovementState State;
-  CrossingGuard Guard;
-  std::size_t TrianglesAtFirst;
-  Index Now = 1;                ///< counts operations
-  std::vector<Index> TouchedAt; ///< of each point: the last operation beside it
-  /// Of each triangle: when nothing helped it, by Means.
-  std::vector<std::array<Index, MeansCount>> FailedAt;
-  Index Listed = 0;                  ///< counts lists of open triangles
-  std::vector<Index> ListedAt;       ///< of each triangle: the last one that it is in
-  std::vector<Index> Open;           ///< triangles to be looked at
-  std::vector<LocalOperation> Found; ///< of the triangles that are looked at together
-  std::vector<Box3> Extents;         ///< of what has been done to some of these
+  Index TrianglesAtFirst;
+  SurfaceSamples Samples;
+  std::vector<std::uint8_t> Tried; ///< of each triangle: whether it was looked at as it is
+  std::vector<Index> Pending;      ///< bad triangles that were not
 };
 }
 

@@ -76,7 +76,7 @@ void OperationFinder::TryCollapse(Index corner, LocalOperation& best)
 {
   const CornerTable& corners = this->State.Mesh.Corners;
   const Index start = corners.StartOf(corner), end = corners.EndOf(corner);
-  if (start < this->State.Kept)
+  if (start < this->State.Block.Kept)
   {
     return;
   }
@@ -103,7 +103,7 @@ void OperationFinder::TryCollapse(Index corner, LocalOperation& best)
 /// Looks at moves of a point towards the middle of those around it.
 void OperationFinder::TryMove(Index point, LocalOperation& best)
 {
-  if (point < this->State.Kept)
+  if (point < this->State.Block.Kept)
   {
     return;
   }
@@ -128,7 +128,8 @@ void OperationFinder::TryMove(Index point, LocalOperation& best)
   {
     const Point3 place = this->State.MoveIntoBounds(point, from + step * along);
     double quality;
-    if (!star.Try({ place, -1, std::max(floor, best.Quality), this->State.LeastCosine }, quality))
+    if (!this->State.Block.HasInside(place) ||
+      !star.Try({ place, -1, std::max(floor, best.Quality), this->State.LeastCosine }, quality))
     {
       continue;
     }
@@ -161,6 +162,20 @@ void OperationFinder::DescribeStar(Index point, Index gone, Index becomes)
         this->Change.Added.push_back({ becomes, next, last });
       }
     });
+}
+
+/// Whether all that a change adds stays within the block.
+bool OperationFinder::StaysInside() const
+{
+  Box3 box;
+  for (const std::array<Index, 3>& triangle : this->Change.Added)
+  {
+    for (const Index point : triangle)
+    {
+      box.Add(point == this->Change.Point ? this->Change.Place : this->State.At(point));
+    }
+  }
+  return this->State.Block.Cells.Cover(box);
 }
 
 /// Whether an operation leaves triangles apart, also those beside each other.
@@ -204,9 +219,10 @@ bool OperationFinder::IsAllowed(const LocalOperation& operation)
         { this->Change.Point, corners.StartOf(side), corners.EndOf(side) });
     }
   }
-  return (operation.What == LocalOperation::Kind::Collapse ||
-           operation.What == LocalOperation::Kind::Move ||
-           this->State.Samples.AreNear(this->Change, this->State.Mesh.Points, this->State.Slack)) &&
+  return this->StaysInside() &&
+    (operation.What == LocalOperation::Kind::Collapse ||
+      operation.What == LocalOperation::Kind::Move ||
+      this->State.Samples.AreNear(this->Change, this->State.Mesh.Points, this->State.Slack)) &&
     !MakesFold(corners, this->State.Mesh.Points, this->Change, this->State.Mesh.Borders) &&
     this->Guard.Allows(this->Change);
 }
@@ -314,8 +330,7 @@ bool OperationFinder::Find(Index triangle, Means means, LocalOperation& found)
     if (this->IsAllowed(best))
     {
       found = std::move(best);
-      found.Change = this->Change;
-      found.Extent = this->Guard.Extent();
+      std::swap(found.Change, this->Change);
       return true;
     }
     this->Refused.push_back(std::move(best));

@@ -36,7 +36,6 @@ struct LocalOperation
   /// it.
   std::vector<Index> Sides{}, Flipped{};
   SurfaceChange Change{};
-  Box3 Extent{}; ///< of all triangles that change, before and after
 };
 
 /// What may be tried to improve a triangle.
@@ -83,6 +82,7 @@ private:
   bool IsCavitySimple() const;
   PointStar& StarOf(Index point);
   bool IsNear(const PointStar& star) const;
+  bool StaysInside() const;
   bool IsAllowed(const LocalOperation& operation);
   void DescribeStar(Index point, Index gone, Index becomes);
   bool WasRefused(const LocalOperation& operation) const;

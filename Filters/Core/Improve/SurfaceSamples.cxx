@@ -30,6 +30,7 @@ bool IsNearOne(const std::vector<TriangleCorners>& triangles, std::size_t first,
 
 SurfaceSamples::SurfaceSamples(const ImprovableMesh& mesh, const ImprovementLimits& limits)
   : Mesh(mesh)
+  , Corners(static_cast<Index>(mesh.Points.size()))
   , Tolerance(limits.Tolerance)
   , PlainTolerance(MoreInsidePlain * limits.Tolerance)
   , Places(mesh.Points)
@@ -46,6 +47,82 @@ SurfaceSamples::SurfaceSamples(const ImprovableMesh& mesh, const ImprovementLimi
       this->Next[point] = IsNone;
     }
   }
+}
+
+SurfaceSamples::SurfaceSamples(const SurfaceSamples& whole, const MeshBlock& block)
+  : Mesh(block.Mesh)
+  , Block(&block)
+  , Corners(static_cast<Index>(block.Points.size()))
+  , Tolerance(whole.Tolerance)
+  , PlainTolerance(whole.PlainTolerance)
+  , First(block.Triangles.size(), -1)
+{
+  this->Places.reserve(block.Points.size() + block.Points.size() / 2);
+  this->Next.reserve(this->Places.capacity());
+  for (const Index point : block.Points)
+  {
+    const bool isCorner = whole.IsCornerYet(point);
+    this->Next.push_back(isCorner ? IsCorner : IsNone);
+    this->Places.push_back(isCorner ? whole.Places[point] : Point3());
+  }
+  this->Plain.reserve(block.Triangles.size());
+  for (const Index triangle : block.Triangles)
+  {
+    this->Plain.push_back(whole.Plain[triangle]);
+  }
+  this->CopyFiled(whole, block);
+}
+
+/// Copies the samples that are filed with triangles that may change, in the same order.
+void SurfaceSamples::CopyFiled(const SurfaceSamples& whole, const MeshBlock& block)
+{
+  for (std::size_t i = 0; i < block.Triangles.size(); ++i)
+  {
+    if (!block.IsInner(static_cast<Index>(i)))
+    {
+      continue;
+    }
+    Index* last = &this->First[i];
+    for (Index sample = whole.First[block.Triangles[i]]; sample >= 0; sample = whole.Next[sample])
+    {
+      *last = static_cast<Index>(this->Places.size());
+      this->Places.push_back(whole.Places[sample]);
+      this->Next.push_back(-1);
+      this->Others.push_back(sample);
+      last = &this->Next.back();
+    }
+  }
+}
+
+void SurfaceSamples::PutBack(const SurfaceSamples& part, const MeshBlock& block)
+{
+  const auto inWhole = [&](Index sample)
+  { return sample < part.Corners ? block.Points[sample] : part.Others[sample - part.Corners]; };
+  for (std::size_t i = 0; i < part.First.size(); ++i)
+  {
+    const Index triangle = static_cast<Index>(i);
+    if (!block.Mesh.Corners.IsAlive(3 * triangle))
+    {
+      this->First[block.Triangles[i]] = -1;
+    }
+    else if (block.IsInner(triangle))
+    {
+      this->Plain[block.Triangles[i]] = part.Plain[i];
+      Index* last = &this->First[block.Triangles[i]];
+      for (Index sample = part.First[i]; sample >= 0; sample = part.Next[sample])
+      {
+        *last = inWhole(sample);
+        last = &this->Next[*last];
+      }
+      *last = -1;
+    }
+  }
+}
+
+void SurfaceSamples::Grow(Index triangles)
+{
+  this->Plain.resize(this->Plain.size() + triangles, -1);
+  this->First.resize(this->First.size() + triangles, -1);
 }
 
 double SurfaceSamples::ToleranceOfSide(Index triangle, Index other) const
@@ -163,7 +240,7 @@ void SurfaceSamples::PutDown(Index point)
     this->Mesh.Corners.ForCornersAt(point,
       [&](Index corner)
       {
-        if (!this->Mesh.Borders.IsBeyond(this->Mesh.Corners, corner / 3))
+        if (this->Block->IsInner(corner / 3))
         {
           this->Candidates.push_back(corner / 3);
         }

@@ -5,6 +5,7 @@
 
 #include "Core/Improve/CrossingGuard.h"
 #include "Core/Improve/ImprovableMesh.h"
+#include "Core/Improve/MeshBlock.h"
 #include "Core/Improve/PointStar.h"
 
 #include <vector>
@@ -21,6 +22,15 @@ class SurfaceSamples
 public:
   SurfaceSamples(const ImprovableMesh& mesh, const ImprovementLimits& limits);
 
+  /// The samples of a part of a surface: at its points, and on those of its triangles that may
+  /// change.
+  SurfaceSamples(const SurfaceSamples& whole, const MeshBlock& block);
+  /// Puts those of a part back. Parts that have no triangle in common that may change may be put
+  /// back at the same time. REQUIRES: there is room for new triangles, see Grow.
+  void PutBack(const SurfaceSamples& part, const MeshBlock& block);
+  /// Makes room for new triangles.
+  void Grow(Index triangles);
+
   /// How far the side between two triangles may move.
   double ToleranceOfSide(Index triangle, Index other) const;
 
@@ -32,7 +42,7 @@ public:
 
   /// Picks up the samples on triangles that are removed, and a point that moves or vanishes or -1,
   void Take(const std::vector<Index>& triangles, Index point);
-  /// and puts them down on the nearest triangle at a point, or of two.
+  /// and puts them down on the nearest triangle at a point that may change, or of two.
   void PutDown(Index point);
   void PutDown(Index triangle, Index other);
 
@@ -42,20 +52,24 @@ public:
 private:
   bool IsCornerYet(Index point) const
   {
-    return static_cast<std::size_t>(point) < this->Next.size() && this->Next[point] == IsCorner;
+    return point < this->Corners && this->Next[point] == IsCorner;
   }
   double DistanceTo(Index triangle, Index sample) const;
   void PutDown(const std::vector<Index>& triangles);
+  void CopyFiled(const SurfaceSamples& whole, const MeshBlock& block);
 
   static constexpr Index IsCorner = -2; ///< the sample is a corner where it was at first
   static constexpr Index IsNone = -3;   ///< the point is no sample
 
   const ImprovableMesh& Mesh;
+  const MeshBlock* Block = nullptr; ///< that these are samples of; null: the whole
+  Index Corners;                    ///< the first so many samples are those of points
   double Tolerance, PlainTolerance;
   std::vector<Point3> Places; ///< of samples
   std::vector<Index> Plain;   ///< of each triangle; see ImprovableMesh
   std::vector<Index> First;   ///< of each triangle the first of its samples; -1: none
   std::vector<Index> Next;    ///< of each sample the next one of its triangle; -1: none
+  std::vector<Index> Others;  ///< of a part: of each of the other samples its number in the whole
   std::vector<Index> Taken, Candidates;
 };
 }

@@ -27,6 +27,31 @@ struct SeedLine
   double Nearest = HUGE_VAL; ///< how far it is to the surface
 };
 
+/// Parts of the triangles that are looked at by themselves: few, as each has a line for each
+/// component.
+constexpr std::int64_t Parts = 16;
+
+/// Lines, as parts of so many triangles change them by visit(triangle, lines).
+template <typename Visit>
+std::vector<std::vector<SeedLine>> FindInParts(
+  std::int64_t count, const std::vector<SeedLine>& lines, const Execution& execution, Visit&& visit)
+{
+  std::vector<std::vector<SeedLine>> parts(Parts, lines);
+  execution.For(Parts,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t part = begin; part < end; ++part)
+      {
+        const std::int64_t next = static_cast<std::int64_t>(part) + 1;
+        for (std::int64_t i = count * (next - 1) / Parts; i < count * next / Parts; ++i)
+        {
+          visit(i, parts[part]);
+        }
+      }
+    });
+  return parts;
+}
+
 /// Takes a triangle for the line if it is wider than the one before.
 void Consider(const Triangle& triangle, std::int64_t number, SeedLine& line)
 {
@@ -153,7 +178,7 @@ Point3 SeedOn(const SeedLine& line)
 template <typename Coordinate, typename Id>
 std::vector<Point3> FindSeeds(const Coordinate* points, const Id* triangles,
   std::int64_t triangleCount, const int* components, const std::vector<ComponentMeasure>& measures,
-  const Ranks& ranks)
+  const Ranks& ranks, const Execution& execution)
 {
   const auto triangleAt = [&](std::int64_t number)
   {
@@ -167,11 +192,18 @@ std::vector<Point3> FindSeeds(const Coordinate* points, const Id* triangles,
     return triangle;
   };
   std::vector<SeedLine> lines(measures.size());
-  for (std::int64_t i = 0; i < triangleCount; ++i)
+  const auto consider = [&](std::int64_t i, std::vector<SeedLine>& ofPart)
   {
-    if (components[i] >= 0 && components[i] < static_cast<int>(lines.size()))
+    if (components[i] >= 0 && components[i] < static_cast<int>(ofPart.size()))
     {
-      Consider(triangleAt(i), i, lines[components[i]]);
+      Consider(triangleAt(i), i, ofPart[components[i]]);
+    }
+  };
+  for (const auto& part : FindInParts(triangleCount, lines, execution, consider))
+  {
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+      lines[i] = std::abs(part[i].Extent) > std::abs(lines[i].Extent) ? part[i] : lines[i];
     }
   }
   ChooseWidest(ranks, lines);
@@ -181,15 +213,22 @@ std::vector<Point3> FindSeeds(const Coordinate* points, const Id* triangles,
     const bool isCavity = measures[i].Volume < 0.0;
     lines[i].Sign = (lines[i].Extent > 0.0) == isCavity ? 1 : -1;
   }
-  for (std::int64_t i = 0; i < triangleCount; ++i)
+  const auto meet = [&](std::int64_t i, std::vector<SeedLine>& ofPart)
   {
     const Triangle triangle = triangleAt(i);
-    for (SeedLine& line : lines)
+    for (SeedLine& line : ofPart)
     {
       if (line.Triangle != i)
       {
         Meet(triangle, line);
       }
+    }
+  };
+  for (const auto& part : FindInParts(triangleCount, lines, execution, meet))
+  {
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+      lines[i].Nearest = std::min(lines[i].Nearest, part[i].Nearest);
     }
   }
   ChooseNearest(ranks, lines);
@@ -203,7 +242,7 @@ std::vector<Point3> FindSeeds(const Coordinate* points, const Id* triangles,
 
 #define ORTHOSLICES_INSTANTIATE(Coordinate, Id)                                                  \
   template std::vector<Point3> FindSeeds(const Coordinate*, const Id*, std::int64_t, const int*, \
-    const std::vector<ComponentMeasure>&, const Ranks&);
+    const std::vector<ComponentMeasure>&, const Ranks&, const Execution&);
 ORTHOSLICES_INSTANTIATE(float, std::int32_t)
 ORTHOSLICES_INSTANTIATE(float, long long)
 ORTHOSLICES_INSTANTIATE(double, std::int32_t)

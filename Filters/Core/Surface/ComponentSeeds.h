@@ -3,6 +3,7 @@
 #ifndef OrthoSlicesComponentSeeds_h
 #define OrthoSlicesComponentSeeds_h
 
+#include "Core/Base/Execution.h"
 #include "Core/Base/Ranks.h"
 #include "Core/Base/Types.h"
 #include "Core/Surface/MeasureComponents.h"
@@ -25,11 +26,11 @@ namespace orthoslices
 template <typename Coordinate, typename Id>
 std::vector<Point3> FindSeeds(const Coordinate* points, const Id* triangles,
   std::int64_t triangleCount, const int* components, const std::vector<ComponentMeasure>& measures,
-  const Ranks& ranks = Ranks());
+  const Ranks& ranks = Ranks(), const Execution& execution = Execution());
 
 #define ORTHOSLICES_DECLARE(Coordinate, Id)                                                 \
   extern template std::vector<Point3> FindSeeds(const Coordinate*, const Id*, std::int64_t, \
-    const int*, const std::vector<ComponentMeasure>&, const Ranks&);
+    const int*, const std::vector<ComponentMeasure>&, const Ranks&, const Execution&);
 ORTHOSLICES_DECLARE(float, std::int32_t)
 ORTHOSLICES_DECLARE(float, long long)
 ORTHOSLICES_DECLARE(double, std::int32_t)

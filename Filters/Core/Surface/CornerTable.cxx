@@ -10,16 +10,29 @@
 namespace orthoslices
 {
 CornerTable::CornerTable(Index points, const std::vector<std::array<Index, 3>>& triangles)
-  : Vertex(3 * triangles.size())
-  , Opposite(3 * triangles.size(), -1)
-  , Curve(3 * triangles.size(), 0)
-  , Corner(static_cast<std::size_t>(points), -1)
 {
+  this->SetTriangles(points, triangles);
+  this->LinkTriangles();
+}
+
+CornerTable CornerTable::WithoutLinks(
+  Index points, const std::vector<std::array<Index, 3>>& triangles)
+{
+  CornerTable table;
+  table.SetTriangles(points, triangles);
+  return table;
+}
+
+void CornerTable::SetTriangles(Index points, const std::vector<std::array<Index, 3>>& triangles)
+{
+  this->Vertex.resize(3 * triangles.size());
+  this->Opposite.assign(3 * triangles.size(), -1);
+  this->Curve.assign(3 * triangles.size(), 0);
+  this->Corner.assign(static_cast<std::size_t>(points), -1);
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     this->SetTriangle(static_cast<Index>(t), triangles[t][0], triangles[t][1], triangles[t][2]);
   }
-  this->LinkTriangles();
 }
 
 void CornerTable::LinkTriangles()
@@ -44,9 +57,14 @@ void CornerTable::LinkTriangles()
   {
     std::sort(edges.begin() + offsets[point], edges.begin() + offsets[point + 1]);
   }
-  for (std::size_t i = 0; i + 1 < edges.size(); i += 2)
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i)
   {
-    this->Link(edges[i].second, edges[i + 1].second);
+    const Index corner = edges[i].second, next = edges[i + 1].second;
+    if (edges[i].first == edges[i + 1].first && low(corner) == low(next))
+    {
+      this->Link(corner, next);
+      ++i;
+    }
   }
 }
 
@@ -69,7 +87,10 @@ void CornerTable::SetTriangle(Index triangle, Index a, Index b, Index c)
 void CornerTable::MarkCurve(Index corner)
 {
   this->Curve[corner] = 1;
-  this->Curve[this->Opposite[corner]] = 1;
+  if (this->Opposite[corner] >= 0)
+  {
+    this->Curve[this->Opposite[corner]] = 1;
+  }
 }
 
 Index CornerTable::Valence(Index vertex) const
@@ -276,6 +297,62 @@ Index CornerTable::Split(Index corner)
   this->Link(3 * upper + 2, 3 * lower + 2);
   this->Curve[3 * upper + 2] = this->Curve[3 * lower + 2] = curve;
   return middle;
+}
+
+void CornerTable::Grow(Index points, Index triangles)
+{
+  this->Corner.resize(this->Corner.size() + points, -1);
+  this->Vertex.resize(this->Vertex.size() + 3 * static_cast<std::size_t>(triangles), -1);
+  this->Opposite.resize(this->Vertex.size(), -1);
+  this->Curve.resize(this->Vertex.size(), 0);
+}
+
+/// Puts back a triangle that is there yet and whose corners are inner points.
+void CornerTable::PutBackTriangle(const Part& part, Index triangle)
+{
+  const CornerTable& table = part.Table;
+  const auto inWhole = [&](Index corner) { return 3 * part.Triangles[corner / 3] + corner % 3; };
+  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+  {
+    const Index own = inWhole(corner), across = table.Opposite[corner];
+    const Index other = inWhole(across);
+    this->Vertex[own] = part.Points[table.Vertex[corner]];
+    this->Opposite[own] = other;
+    const bool isInner = table.Vertex[across] >= part.FirstInner;
+    if (isInner)
+    {
+      this->Curve[own] = table.Curve[corner];
+    }
+    else
+    {
+      // A triangle that stays, but may have got another neighbour; what its edges are, it knows.
+      this->Opposite[other] = own;
+      this->Curve[own] = this->Curve[other];
+    }
+  }
+}
+
+void CornerTable::PutBack(const Part& part)
+{
+  const CornerTable& table = part.Table;
+  for (Index triangle = 0; 3 * triangle < table.CornerCount(); ++triangle)
+  {
+    const Index* vertices = &table.Vertex[3 * triangle];
+    if (vertices[0] < 0)
+    {
+      std::fill_n(this->Vertex.begin() + 3 * part.Triangles[triangle], 3, -1);
+    }
+    else if (std::min({ vertices[0], vertices[1], vertices[2] }) >= part.FirstInner)
+    {
+      this->PutBackTriangle(part, triangle);
+    }
+  }
+  for (Index point = part.FirstInner; point < table.PointCount(); ++point)
+  {
+    const Index corner = table.Corner[point];
+    this->Corner[part.Points[point]] =
+      corner < 0 ? -1 : 3 * part.Triangles[corner / 3] + corner % 3;
+  }
 }
 
 std::vector<std::array<Index, 3>> CornerTable::ListTriangles() const

@@ -22,8 +22,14 @@ namespace orthoslices
 class CornerTable
 {
 public:
-  /// REQUIRES: a closed oriented 2-manifold without double edges; points are numbered from 0.
+  /// REQUIRES: a closed oriented 2-manifold without double edges, or a part of one, where each edge
+  /// with one triangle only has no opposite corner (-1), and nothing may be asked about its ends that
+  /// turns around them; points are numbered from 0.
   CornerTable(Index points, const std::vector<std::array<Index, 3>>& triangles);
+
+  /// A table without opposite corners, of which nothing may be asked but the corners of triangles. Parts
+  /// that are put back have theirs.
+  static CornerTable WithoutLinks(Index points, const std::vector<std::array<Index, 3>>& triangles);
 
   Index CornerCount() const { return static_cast<Index>(this->Vertex.size()); }
   Index PointCount() const { return static_cast<Index>(this->Corner.size()); }
@@ -41,6 +47,7 @@ public:
   Index StartOf(Index corner) const { return this->Vertex[Next(corner)]; }
   Index EndOf(Index corner) const { return this->Vertex[Previous(corner)]; }
   bool IsCurve(Index corner) const { return this->Curve[corner] != 0; }
+  /// Marks the edge of a corner, on both of its sides.
   void MarkCurve(Index corner);
 
   /// Calls visit(corner) for the corners at a vertex, counter-clockwise, seen from outside.
@@ -76,12 +83,31 @@ public:
   /// Puts a new vertex on the edge of a corner and returns it.
   Index Split(Index corner);
 
+  /// A part of the table that was made of copies of some triangles, and is to take their place.
+  struct Part
+  {
+    const CornerTable& Table;
+    const std::vector<Index>& Triangles; ///< of each triangle of the part, its number in the whole
+    const std::vector<Index>& Points;    ///< the same of points
+    Index FirstInner; ///< points from that one on have all of their triangles in the part
+  };
+  /// Makes room for points and triangles, which are not there until a part that has them is put back.
+  void Grow(Index points, Index triangles);
+  /**
+   * Puts the triangles of a part back whose corners are all inner points; others are as they were.
+   * Parts without common triangles of that kind may be put back at the same time.
+   */
+  void PutBack(const Part& part);
+
   /// The triangles that are left.
   std::vector<std::array<Index, 3>> ListTriangles() const;
 
 private:
+  CornerTable() = default;
+  void SetTriangles(Index points, const std::vector<std::array<Index, 3>>& triangles);
   void LinkTriangles();
   void Link(Index corner, Index opposite);
+  void PutBackTriangle(const Part& part, Index triangle);
   void SetTriangle(Index triangle, Index a, Index b, Index c);
   Index CountCurves(Index vertex) const;
   Index CountCommonNeighbors(Index start, Index end) const;

@@ -175,3 +175,54 @@ TEST(MeshImprover, TheSameForAnyNumberOfThreads)
   EXPECT_EQ(one.Points, many.Points);
   EXPECT_EQ(one.Corners.ListTriangles(), many.Corners.ListTriangles());
 }
+
+namespace
+{
+/// A ball whose rings of points lie alternately close together and apart, as slivers all over it.
+PlainMesh LargeBallOfPairs()
+{
+  std::vector<double> heights, radii;
+  for (double z = -0.96; z < 0.97; z += 0.05)
+  {
+    for (const double height : { z, z + 0.002 })
+    {
+      heights.push_back(height);
+      radii.push_back(std::sqrt(1.0 - height * height));
+    }
+  }
+  return RingMesh(120, radii, heights, -1.0, 1.0);
+}
+}
+
+//----------------------------------------------------------------------------
+/// A surface of several blocks has no seams: what lies at the faces of some is improved in others.
+TEST(MeshImprover, BlocksLeaveNoSeams)
+{
+  const PlainMesh before = LargeBallOfPairs();
+  ImprovableMesh mesh = Improvable(before);
+  const double tolerance = 0.01;
+  Improve({ tolerance, 22.0 }, mesh);
+  const TriangleMesh after = Plain(mesh);
+  EXPECT_GT(QualityOf(after).ShareAbove20Degrees, 0.99);
+  EXPECT_EQ(DescribeFlaws(after), "");
+  EXPECT_LT(after.Triangles.size(), 0.6 * before.Triangles.size());
+  EXPECT_EQ(mesh.Origins.size() + before.Triangles.size(),
+    static_cast<std::size_t>(mesh.Corners.CornerCount()) / 3);
+  std::vector<Point3> some;
+  for (std::size_t i = 0; i < before.Points.size(); i += 37)
+  {
+    some.push_back(before.Points[i]);
+  }
+  EXPECT_LT(DistanceOf(some, after), 1.7001 * tolerance);
+}
+
+//----------------------------------------------------------------------------
+TEST(MeshImprover, BlocksAreTheSameForAnyNumberOfThreads)
+{
+  ImprovableMesh one = Improvable(LargeBallOfPairs()), many = one;
+  Improve({ 0.01, 22.0 }, one);
+  Improve({ 0.01, 22.0 }, many, ManyThreads());
+  EXPECT_EQ(one.Points, many.Points);
+  EXPECT_EQ(one.Corners.ListTriangles(), many.Corners.ListTriangles());
+  EXPECT_EQ(one.Origins, many.Origins);
+}

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OrthoSlicesBlockImprover_h
+#define OrthoSlicesBlockImprover_h
+
+#include "Core/Improve/OperationFinder.h"
+
+#include <vector>
+
+namespace orthoslices
+{
+/// What is done to all blocks first, and then to what is left.
+enum class Round : std::uint8_t
+{
+  First, ///< flips, collapses and moves, the worst triangles first
+  Last   ///< the same by larger tolerances, and splits where that fails
+};
+
+/// Does in a block what MeshImprover is for, around triangles that have nothing frozen around them:
+/// one operation after another.
+class BlockImprover
+{
+public:
+  /// The block gets so many new triangles at most. Samples are those of the whole surface.
+  BlockImprover(const SpatialGrid& grid, const ImprovementLimits& limits, std::size_t mostNew,
+    MeshBlock& block, const SurfaceSamples& samples);
+
+  /// Begins with the triangles that have not been tried, which it takes by their numbers in the
+  /// whole.
+  void Run(Round round, const std::vector<std::uint8_t>& tried);
+
+  /// The samples of the block, at the end.
+  SurfaceSamples TakeSamples() { return std::move(this->State.Samples); }
+
+  /// Of each triangle whether it or anything beside it has changed.
+  std::vector<std::uint8_t> ListTouched() const;
+
+  /// Triangles of less quality are to be improved.
+  static double WantedQuality(const ImprovementLimits& limits);
+
+private:
+  void RunFirst();
+  void RunLast();
+  void RunBelow(double quality, Means means);
+  std::vector<Index> ListWorse(double quality, Means means);
+  Index LastTouch(Index triangle) const;
+  bool MayHelp(Index triangle, Means means) const;
+  void Improve(Index triangle, Means means);
+  void Apply(const LocalOperation& operation);
+  void ApplySplit(const LocalOperation& operation);
+  void Touch(Index point);
+  void Note(Index triangle);
+  void Want(Index triangle);
+  void ForgetFailures();
+
+  ImprovementLimits Limits;
+  std::size_t MostNew;
+  double Bad; ///< WantedQuality
+  const MeshBlock& Block;
+  ImprovableMesh& Mesh; ///< that of the block
+  ImprovementState State;
+  OperationFinder Finder;
+  LocalOperation Found;
+  Index Now = 1;                ///< counts operations
+  std::vector<Index> TouchedAt; ///< of each point: the last operation beside it
+  /// Of each triangle: when nothing helped it, by Means.
+  std::vector<std::array<Index, MeansCount>> FailedAt;
+  Index Listed = 0;            ///< counts lists of open triangles
+  std::vector<Index> ListedAt; ///< of each triangle: the last one that it is in
+  std::vector<Index> Open;     ///< triangles to be looked at
+  std::vector<std::uint8_t> IsWanted;
+  std::vector<Index> Wanted; ///< triangles that have been to be looked at
+  std::size_t TrianglesAtFirst;
+};
+}
+
+#endif
