@@ -3,6 +3,7 @@
 #include "Support/CheckLabels.h"
 
 #include "Core/Base/Box.h"
+#include "Core/Base/Predicates.h"
 #include "Support/CheckEmbedding.h"
 
 #include <algorithm>
@@ -32,6 +33,36 @@ bool PiercesWhereApart(const Corners& s, const Corners& t)
   const auto isCorner = [&](const Point3& p)
   { return std::find(t.begin(), t.end(), p) != t.end(); };
   return Pierces(s, t, { isCorner(s[0]), isCorner(s[1]), isCorner(s[2]) });
+}
+
+/// Whether two segments cross, each inside, in a plane across an axis.
+bool DoCrossInPlane(const Point3& a, const Point3& b, const Point3& c, const Point3& d)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto inPlane = [axis](const Point3& p) {
+      return Point2{ p[FirstAxis(axis)], p[SecondAxis(axis)] };
+    };
+    const Point2 p = inPlane(a), q = inPlane(b), r = inPlane(c), s = inPlane(d);
+    if (a[axis] == b[axis] && a[axis] == c[axis] && a[axis] == d[axis] &&
+      SideOf(p, q, r) * SideOf(p, q, s) < 0 && SideOf(r, s, p) * SideOf(r, s, q) < 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool DoSidesCross(const Corners& s, const Corners& t)
+{
+  for (int i = 0; i < 9; ++i)
+  {
+    if (DoCrossInPlane(s[i / 3], s[(i / 3 + 1) % 3], t[i % 3], t[(i % 3 + 1) % 3]))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 Box3 BoxAround(const Corners& corners)
@@ -91,9 +122,11 @@ void AddLine(std::vector<Passage>& passages, double area, LabelVolumes& volumes)
     inside[passages[i].Label] += passages[i].Change;
   }
 }
-}
 
-std::int64_t CountLabelCrossings(const TriangleMesh& mesh, const std::vector<int>& labels)
+/// Pairs of triangles of different labels whose boxes meet and for which a condition holds.
+template <class Condition>
+std::int64_t CountPairs(
+  const TriangleMesh& mesh, const std::vector<int>& labels, const Condition& condition)
 {
   const std::vector<Corners> corners = ListCorners(mesh);
   std::vector<Box3> boxes;
@@ -102,21 +135,30 @@ std::int64_t CountLabelCrossings(const TriangleMesh& mesh, const std::vector<int
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
     [&](std::size_t a, std::size_t b) { return boxes[a].Low[1] < boxes[b].Low[1]; });
-  std::int64_t crossings = 0;
+  std::int64_t pairs = 0;
   for (auto a = order.begin(); a != order.end(); ++a)
   {
     for (auto b = a + 1; b != order.end() && boxes[*b].Low[1] <= boxes[*a].High[1]; ++b)
     {
-      const bool mayCross =
+      const bool doMeet =
         labels[*a] != labels[*b] && boxes[*a].Meets(boxes[*b], 0) && boxes[*a].Meets(boxes[*b], 2);
-      crossings += mayCross &&
-          (PiercesWhereApart(corners[*a], corners[*b]) ||
-            PiercesWhereApart(corners[*b], corners[*a]))
-        ? 1
-        : 0;
+      pairs += doMeet && condition(corners[*a], corners[*b]) ? 1 : 0;
     }
   }
-  return crossings;
+  return pairs;
+}
+}
+
+std::int64_t CountLabelCrossings(const TriangleMesh& mesh, const std::vector<int>& labels)
+{
+  return CountPairs(mesh, labels,
+    [](const Corners& s, const Corners& t)
+    { return PiercesWhereApart(s, t) || PiercesWhereApart(t, s); });
+}
+
+std::int64_t CountCrossingSides(const TriangleMesh& mesh, const std::vector<int>& labels)
+{
+  return CountPairs(mesh, labels, DoSidesCross);
 }
 
 LabelVolumes MeasureLabels(const TriangleMesh& mesh, const std::vector<int>& labels, int lines)

@@ -24,6 +24,12 @@ namespace support
  */
 std::int64_t CountLabelCrossings(const TriangleMesh& mesh, const std::vector<int>& labels);
 
+/**
+ * The same where a side of one crosses a side of the other, each inside, in a plane across an axis:
+ * there sides lie that slices are made of. Neither triangle need then pierce the other one.
+ */
+std::int64_t CountCrossingSides(const TriangleMesh& mesh, const std::vector<int>& labels);
+
 /// Volumes that structures have, and what is wrong between them.
 struct LabelVolumes
 {

@@ -40,10 +40,11 @@ private:
   std::vector<std::vector<Point2>> ReadPolygons();
   void Report(const FaceSets& sets);
   void CountVanished(const LoopWindings& windings, const FaceSets& sets);
+  void AddJunction(const Point2& place);
   void FindJunctions(const PlaneWalks& walks, const PlaneFaces& faces);
+  void AddParted(const PlaneWalks& walks, const std::vector<TracedLoop>& loops);
   bool HasChanged(Index structure, const PlaneWalks& walks, const FaceSets& sets) const;
-  Contours Trace(
-    const PlaneWalks& walks, const PlaneFaces& faces, const FaceSets& sets, Index structure) const;
+  Contours ListContours(const std::vector<TracedLoop>& loops, Index structure) const;
 
   const std::vector<Contours*>& Structures;
   const std::vector<SliceMember>& Members;
@@ -135,20 +136,48 @@ void SliceSharer::CountVanished(const LoopWindings& windings, const FaceSets& se
   }
 }
 
-/// The nodes at which more than two sides meet.
-void SliceSharer::FindJunctions(const PlaneWalks& walks, const PlaneFaces& faces)
+void SliceSharer::AddJunction(const Point2& place)
 {
   const Contours& contours = *this->Structures[this->Members.front().Structure];
   const int axis = contours.Axis[this->Members.front().Contour];
+  Point3 point;
+  point[axis] = contours.Coordinate[this->Members.front().Contour];
+  point[FirstAxis(axis)] = place[0];
+  point[SecondAxis(axis)] = place[1];
+  this->Result.Found.Junctions.insert(point);
+}
+
+/// The nodes at which more than two sides meet.
+void SliceSharer::FindJunctions(const PlaneWalks& walks, const PlaneFaces& faces)
+{
   for (std::size_t node = 0; node < walks.Nodes.size(); ++node)
   {
     if (faces.Leaving(static_cast<Index>(node)).size() > 2)
     {
-      Point3 place;
-      place[axis] = contours.Coordinate[this->Members.front().Contour];
-      place[FirstAxis(axis)] = walks.Nodes[node][0];
-      place[SecondAxis(axis)] = walks.Nodes[node][1];
-      this->Result.Found.Junctions.insert(place);
+      this->AddJunction(walks.Nodes[node]);
+    }
+  }
+}
+
+/// Whether loops have other points than the nodes that they pass: corners were cut off there.
+bool IsParted(const std::vector<TracedLoop>& loops)
+{
+  return std::any_of(loops.begin(), loops.end(),
+    [](const TracedLoop& loop) { return loop.Points.size() != loop.HalfEdges.size(); });
+}
+
+/// There contours part, too.
+void SliceSharer::AddParted(const PlaneWalks& walks, const std::vector<TracedLoop>& loops)
+{
+  const std::set<Point2> nodes(walks.Nodes.begin(), walks.Nodes.end());
+  for (const TracedLoop& loop : loops)
+  {
+    for (const Point2& point : loop.Points)
+    {
+      if (nodes.count(point) == 0)
+      {
+        this->AddJunction(point);
+      }
     }
   }
 }
@@ -180,8 +209,7 @@ bool SliceSharer::HasChanged(Index structure, const PlaneWalks& walks, const Fac
 
 /// The contours of a structure, or those around all of them, if it is -1. They are contours of the
 /// input if these are of that structure.
-Contours SliceSharer::Trace(
-  const PlaneWalks& walks, const PlaneFaces& faces, const FaceSets& sets, Index structure) const
+Contours SliceSharer::ListContours(const std::vector<TracedLoop>& loops, Index structure) const
 {
   Index first = -1; // contour of the structure
   for (auto member = this->Members.rbegin(); member != this->Members.rend(); ++member)
@@ -191,7 +219,7 @@ Contours SliceSharer::Trace(
   const Contours& from = *this->Structures[std::max<Index>(structure, 0)];
   const SliceMember& any = this->Members.front();
   Contours made;
-  for (const TracedLoop& loop : TraceRegion(walks, faces, sets.InsideOf(structure)))
+  for (const TracedLoop& loop : loops)
   {
     if (loop.Points.size() < 3)
     {
@@ -233,12 +261,23 @@ SharedSlice SliceSharer::Run()
   this->Report(sets);
   this->CountVanished(windings, sets);
   this->FindJunctions(walks, faces);
-  this->Result.Found.Union = this->Trace(walks, faces, sets, -1);
+  this->Result.Found.Union = this->ListContours(TraceRegion(walks, faces, sets.InsideOf(-1)), -1);
+  std::vector<std::vector<std::uint8_t>> insides;
   for (Index structure = 0; structure < static_cast<Index>(this->Structures.size()); ++structure)
   {
-    if (this->HasChanged(structure, walks, sets))
+    insides.push_back(sets.InsideOf(structure));
+  }
+  const std::vector<std::vector<TracedLoop>> loops = TraceRegions(walks, faces, insides);
+  for (Index structure = 0; structure < static_cast<Index>(this->Structures.size()); ++structure)
+  {
+    const bool isParted = IsParted(loops[structure]);
+    if (isParted)
     {
-      this->Result.New.emplace_back(structure, this->Trace(walks, faces, sets, structure));
+      this->AddParted(walks, loops[structure]);
+    }
+    if (isParted || this->HasChanged(structure, walks, sets))
+    {
+      this->Result.New.emplace_back(structure, this->ListContours(loops[structure], structure));
     }
   }
   return std::move(this->Result);

@@ -47,6 +47,8 @@ struct SharedBorders
  *
  * Contours that meet no others of their slice, or others in vertices of both alone, stay as they
  * are. The others are traced anew, in the place of all contours of their structure on that slice.
+ * Where a structure touches itself then, its corners are cut off, and its neighbours get the
+ * vertices of that (TraceRegions); these are junctions, too.
  * REQUIRES: contours have their interior on the left, and do not cross others of their structure.
  */
 SharedBorders ShareBorders(double thickness, const StructureSets& allowed,

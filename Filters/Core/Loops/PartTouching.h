@@ -8,11 +8,12 @@
 namespace orthoslices
 {
 /**
- * Cuts off corners of loops where several of them meet in a node, so that they do not touch; see
- * TraceRegion. REQUIRES: no loop passes a node twice, no two pass the same half-edge, and none
- * cross.
+ * Cuts off corners of loops where several of one region meet in a node, so that they do not touch;
+ * see TraceRegions. REQUIRES: in each region, no loop passes a node twice, no two pass the same
+ * half-edge, and none cross.
  */
-void PartTouching(const PlaneWalks& walks, const PlaneFaces& faces, std::vector<TracedLoop>& loops);
+void PartTouching(
+  const PlaneWalks& walks, const PlaneFaces& faces, std::vector<std::vector<TracedLoop>>& regions);
 }
 
 #endif

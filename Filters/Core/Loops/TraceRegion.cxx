@@ -124,7 +124,6 @@ std::vector<TracedLoop> RegionTracer::Run()
       this->AddFrom(halfEdge, isDone);
     }
   }
-  PartTouching(this->Walks, this->Graph, this->Loops);
   return std::move(this->Loops);
 }
 }
@@ -132,6 +131,18 @@ std::vector<TracedLoop> RegionTracer::Run()
 std::vector<TracedLoop> TraceRegion(
   const PlaneWalks& walks, const PlaneFaces& faces, const std::vector<std::uint8_t>& inside)
 {
-  return RegionTracer(walks, faces, inside).Run();
+  return std::move(TraceRegions(walks, faces, { inside }).front());
+}
+
+std::vector<std::vector<TracedLoop>> TraceRegions(const PlaneWalks& walks, const PlaneFaces& faces,
+  const std::vector<std::vector<std::uint8_t>>& insides)
+{
+  std::vector<std::vector<TracedLoop>> regions;
+  for (const std::vector<std::uint8_t>& inside : insides)
+  {
+    regions.push_back(RegionTracer(walks, faces, inside).Run());
+  }
+  PartTouching(walks, faces, regions);
+  return regions;
 }
 }

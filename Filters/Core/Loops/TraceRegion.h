@@ -27,6 +27,15 @@ struct TracedLoop
  */
 std::vector<TracedLoop> TraceRegion(
   const PlaneWalks& walks, const PlaneFaces& faces, const std::vector<std::uint8_t>& inside);
+
+/**
+ * The same for several regions at once. Where one of them touches itself, corners of all are cut off
+ * at the same places, and loops that run along each other get the same points: those of which a
+ * corner lies within one that is cut off, or is the same corner, are cut off, too. So loops that did
+ * not cross do not cross afterwards.
+ */
+std::vector<std::vector<TracedLoop>> TraceRegions(const PlaneWalks& walks, const PlaneFaces& faces,
+  const std::vector<std::vector<std::uint8_t>>& insides);
 }
 
 #endif

@@ -158,3 +158,85 @@ TEST(ShareBorders, WhatVanishesIsCounted)
   EXPECT_EQ(structures[1].Count(), 1);
   EXPECT_EQ(structures[2].Count(), 1);
 }
+
+namespace
+{
+/// A polygon turned by an angle that leaves no coordinate on those of others.
+std::vector<Point2> Turn(std::vector<Point2> polygon)
+{
+  for (Point2& p : polygon)
+  {
+    p = { 0.8 * p[0] - 0.6 * p[1], 0.6 * p[0] + 0.8 * p[1] };
+  }
+  return polygon;
+}
+
+/// Squares in opposite quarters, whose corners in the middle are cut off.
+Contours OppositeSquares()
+{
+  Contours contours;
+  AddContour(Turn({ { 0.004, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, 0.004 } }), contours);
+  AddContour(Turn({ { -0.004, 0 }, { -1, 0 }, { -1, -1 }, { 0, -1 }, { 0, -0.004 } }), contours);
+  return contours;
+}
+
+Contours ContourOf(const std::vector<Point2>& polygon)
+{
+  Contours contours;
+  AddContour(Turn(polygon), contours);
+  return contours;
+}
+
+/// Sharing borders once more changes nothing: no structure lacks a vertex of another one.
+SharedBorders ExpectShared(const std::vector<Contours>& structures)
+{
+  std::vector<Contours> again = structures;
+  SharedBorders found = Share(again, 0.0);
+  for (std::size_t i = 0; i < structures.size(); ++i)
+  {
+    EXPECT_EQ(again[i].U, structures[i].U) << i;
+    EXPECT_EQ(again[i].V, structures[i].V) << i;
+  }
+  return found;
+}
+
+void ExpectParted(std::vector<Contours> structures, double thickness)
+{
+  const SharedBorders first = Share(structures, thickness);
+  const SharedBorders second = ExpectShared(structures);
+  EXPECT_TRUE(std::includes(first.Junctions.begin(), first.Junctions.end(),
+    second.Junctions.begin(), second.Junctions.end()));
+  EXPECT_GE(second.Junctions.size(), 4u + 4u); // outside, and where the corners were
+}
+}
+
+/// Where a structure touches itself, as gaps between borders vanish, corners are cut off, and all
+/// have the vertices there: where two touch themselves, and where one does.
+TEST(ShareBorders, CornersThatTouchPartAlike)
+{
+  const Contours left = ContourOf({ { 0, 0 }, { 0, 1 }, { -1, 1 }, { -1, 0 } });
+  const Contours right = ContourOf({ { 0, 0 }, { 0, -1 }, { 1, -1 }, { 1, 0 } });
+  Contours both = left;
+  AppendContours(right, both);
+  for (const double thickness : { 0.002, 0.01 }) // corners do not move onto others, or do
+  {
+    ExpectParted({ left, right, OppositeSquares() }, thickness);
+    ExpectParted({ both, OppositeSquares() }, thickness);
+  }
+}
+
+/// Nor do corners of others within one that is cut off stay behind: holes whose corners touch, with
+/// two structures in one of them.
+TEST(ShareBorders, CornersWithinOthersArePartedToo)
+{
+  std::vector<Contours> structures{ ContourOf({ { 0, 0 }, { 1, 0 }, { 1, 1 } }),
+    ContourOf({ { 0, 0 }, { 1, 1 }, { 0, 1 } }),
+    ContourOf({ { -2, -2 }, { 2, -2 }, { 2, 2 }, { -2, 2 } }) };
+  AddContour(Turn({ { 0.004, 0 }, { 0, 0.004 }, { 0, 1 }, { 1, 1 }, { 1, 0 } }), structures[2]);
+  AddContour(Turn({ { 0, 0 }, { 0, -1 }, { -1, -1 }, { -1, 0 } }), structures[2]);
+  Share(structures, 0.002);
+  EXPECT_EQ(structures[2].Count(), 3);
+  EXPECT_FALSE(HasVertex(structures[0], { 0, 0 }));
+  EXPECT_FALSE(HasVertex(structures[1], { 0, 0 }));
+  ExpectShared(structures);
+}
