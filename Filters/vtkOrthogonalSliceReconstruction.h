@@ -199,7 +199,7 @@
  * by itself: no points are shared between labels. Labels that stay clear of each other have the
  * surfaces of runs of their own. Where contours of labels run along each other, to within a
  * hundredth of the spacing, the surfaces have the same triangles, and where they do not cross, no
- * triangles of two labels do; Filters/Core/README.md says what is left. Labels whose contours
+ * triangle of one pierces one of another; Filters/Core/README.md says what is left. Labels whose contours
  * overlap keep them, and a warning names those that overlap most. Ports 0 and 1 have the cell data
  * "Label" (on port 0, active scalars), of the type of the input's array; names stand as their
  * number (int) in the field data "LabelNames" (vtkStringArray) of port 0. The tables of ports 2 to

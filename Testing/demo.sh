@@ -11,6 +11,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Testing/install-dependencies.sh
+source Testing/configure.sh
 
 case=${1:-heart}
 slices=${2:-n32}
@@ -18,22 +19,9 @@ core=build/demo/core
 folder=build/demo/paraview
 out=build/demo
 
-# configure FOLDER OPTION...
-configure()
-{
-  local folder=$1
-  shift
-  echo "-- Building $folder"
-  if ! cmake -G Ninja -S . -B "$folder" -DPython3_EXECUTABLE=/usr/bin/python3 -Wno-dev "$@" \
-    > "$folder.log" 2>&1; then
-    cat "$folder.log"
-    return 1
-  fi
-}
-
 build_core()
 {
-  configure "$core" -DORTHOGONAL_SLICES_CORE_ONLY=ON
+  configure_folder "$core" -DORTHOGONAL_SLICES_CORE_ONLY=ON
   ninja -C "$core" -j "$(nproc)" OrthogonalSlicesCore OrthogonalSlicesTestSupport
 }
 
@@ -46,7 +34,7 @@ core_job=$!
 install_announced "${dependencies[@]}"
 wait "$core_job"
 
-configure "$folder" "-DORTHOGONAL_SLICES_CORE_BUILD=$PWD/$core"
+configure_folder "$folder" "-DORTHOGONAL_SLICES_CORE_BUILD=$PWD/$core"
 targets=(OrthogonalSlices vtkFiltersOrthogonalSlicesPython)
 if [ -e Testing/Baselines/CompareMethods.cxx ]; then
   targets+=(CompareMethods)

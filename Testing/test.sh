@@ -33,31 +33,13 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source Testing/install-dependencies.sh
+source Testing/configure.sh
 
+configure_options=(-DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
 jobs=$(nproc)
 library=lib/$(uname -m)-linux-gnu
 vtk=$PWD/build/vtk9.1
 vtk_dir=$vtk/usr/$library/cmake/vtk-9.1
-
-# configure FOLDER OPTION...
-configure()
-{
-  local folder=$1
-  shift
-  echo "-- Configuring $folder"
-  if ! cmake -DPython3_EXECUTABLE=/usr/bin/python3 -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -Wno-dev \
-    "$@" > "$folder.log" 2>&1; then
-    cat "$folder.log"
-    return 1
-  fi
-}
-
-configure_folder()
-{
-  local folder=$1
-  shift
-  configure "$folder" -G Ninja -S . -B "$folder" "$@"
-}
 
 configure_preset()
 {

@@ -46,6 +46,16 @@ struct Box3
   {
     return this->Meets(other, 0) && this->Meets(other, 1) && this->Meets(other, 2);
   }
+  /// Whether a point is in it, and not on a face.
+  bool HasInside(const Point3& point) const
+  {
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      inside = inside && this->Low[axis] < point[axis] && point[axis] < this->High[axis];
+    }
+    return inside;
+  }
   /// Of a point; infinite if the box is empty.
   double SquaredDistanceTo(const Point3& point) const
   {

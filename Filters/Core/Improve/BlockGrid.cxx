@@ -45,7 +45,7 @@ Index BlockOfTriangle(const BlockGrid& blocks, const ImprovableMesh& mesh, Index
   { return mesh.Points[mesh.Corners.VertexOf(3 * triangle + i)]; };
   const Index block = blocks.BlockOf(at(0));
   const Box3 box = blocks.BoxOf(block);
-  return HasInside(box, at(0)) && HasInside(box, at(1)) && HasInside(box, at(2)) ? block : -1;
+  return box.HasInside(at(0)) && box.HasInside(at(1)) && box.HasInside(at(2)) ? block : -1;
 }
 
 /// The box around a triangle and those around it, as far as these are not larger, and more than a

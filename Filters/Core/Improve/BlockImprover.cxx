@@ -22,7 +22,7 @@ constexpr double SplitBound = 0.91;
 /// The bounds, as shares of the one asked for: the worst come first.
 constexpr std::array<double, 3> Bounds{ 0.12, 0.5, 1.0 };
 
-/// The same of a collapse, which leaves two triangles less, so that the next one may gain more.
+/// LeastGain of a collapse, at first: it leaves two triangles less, so that the next may gain more.
 constexpr double LeastOfFirstCollapse = 0.95;
 
 /// The cosine of the angle by which a triangle may turn: 60 degrees.

@@ -43,17 +43,6 @@ inline Box3 BoxOfPart(const ImprovableMesh& mesh, Index triangle)
   return box;
 }
 
-/// Whether a point is inside of a box, and not on a face.
-inline bool HasInside(const Box3& box, const Point3& point)
-{
-  bool inside = true;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    inside = inside && box.Low[axis] < point[axis] && point[axis] < box.High[axis];
-  }
-  return inside;
-}
-
 /// What may be done to a surface.
 struct ImprovementLimits
 {

@@ -28,7 +28,7 @@ struct MeshBlock
 
   bool HasInside(const Point3& place) const
   {
-    return orthoslices::HasInside(this->Box, place) && this->Cells.Has(place);
+    return this->Box.HasInside(place) && this->Cells.Has(place);
   }
   /// Whether a triangle that is there is inside.
   bool IsInner(Index triangle) const { return this->HasCornersFrom(triangle, this->FirstInner); }

@@ -42,7 +42,7 @@ private:
   void CountVanished(const LoopWindings& windings, const FaceSets& sets);
   void AddJunction(const Point2& place);
   void FindJunctions(const PlaneWalks& walks, const PlaneFaces& faces);
-  void AddParted(const PlaneWalks& walks, const std::vector<TracedLoop>& loops);
+  void AddParted(const PlaneWalks& walks, const std::vector<std::vector<TracedLoop>>& regions);
   bool HasChanged(Index structure, const PlaneWalks& walks, const FaceSets& sets) const;
   Contours ListContours(const std::vector<TracedLoop>& loops, Index structure) const;
 
@@ -167,16 +167,24 @@ bool IsParted(const std::vector<TracedLoop>& loops)
 }
 
 /// There contours part, too.
-void SliceSharer::AddParted(const PlaneWalks& walks, const std::vector<TracedLoop>& loops)
+void SliceSharer::AddParted(
+  const PlaneWalks& walks, const std::vector<std::vector<TracedLoop>>& regions)
 {
-  const std::set<Point2> nodes(walks.Nodes.begin(), walks.Nodes.end());
-  for (const TracedLoop& loop : loops)
+  if (std::none_of(regions.begin(), regions.end(), IsParted))
   {
-    for (const Point2& point : loop.Points)
+    return;
+  }
+  const std::set<Point2> nodes(walks.Nodes.begin(), walks.Nodes.end());
+  for (const std::vector<TracedLoop>& loops : regions)
+  {
+    for (const TracedLoop& loop : loops)
     {
-      if (nodes.count(point) == 0)
+      for (const Point2& point : loop.Points)
       {
-        this->AddJunction(point);
+        if (nodes.count(point) == 0)
+        {
+          this->AddJunction(point);
+        }
       }
     }
   }
@@ -268,14 +276,10 @@ SharedSlice SliceSharer::Run()
     insides.push_back(sets.InsideOf(structure));
   }
   const std::vector<std::vector<TracedLoop>> loops = TraceRegions(walks, faces, insides);
+  this->AddParted(walks, loops);
   for (Index structure = 0; structure < static_cast<Index>(this->Structures.size()); ++structure)
   {
-    const bool isParted = IsParted(loops[structure]);
-    if (isParted)
-    {
-      this->AddParted(walks, loops[structure]);
-    }
-    if (isParted || this->HasChanged(structure, walks, sets))
+    if (IsParted(loops[structure]) || this->HasChanged(structure, walks, sets))
     {
       this->Result.New.emplace_back(structure, this->ListContours(loops[structure], structure));
     }

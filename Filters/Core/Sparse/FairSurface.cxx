@@ -350,8 +350,8 @@ void FairSurface(EdgeWeights weights, SurfaceMesh& mesh)
   BendingEquations equations(bending, mesh.Crease, std::move(place), freePoints, mesh.Points);
   SlabPull pull;
   // Points that reach the end of their cell stay there; then the others are placed anew.
-  // With uniform weights the surface of a stack is only a first one; measured, the second one is as
-  // good without that. Those of several families, with blades, are not.
+  // What one stack's surface is with uniform weights is only where the next one begins, which comes
+  // out as good without that. With several families blades do not.
   const int rounds = weights == EdgeWeights::Uniform && mesh.StretchAxis >= 0 ? 1 : 3;
   bool isFar = true;
   for (int round = 0; round < rounds && isFar; ++round)
