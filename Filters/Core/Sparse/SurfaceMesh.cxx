@@ -52,8 +52,14 @@ void BoundAlongMissingAxis(const SpatialGrid& grid, const Box3& patch, Box3& cel
   }
 }
 
-/// Twice the area by the length: the radius of a circle, the thickness of a long strip.
-double ThicknessOfLoop(const NodeGraph& graph, const AxisFrame& metric, Index loop)
+struct LoopSize
+{
+  double Area, Length;
+  /// The radius of a circle, the thickness of a long strip.
+  double Thickness() const { return 2.0 * this->Area / this->Length; }
+};
+
+LoopSize MeasureLoop(const NodeGraph& graph, const AxisFrame& metric, Index loop)
 {
   const int axis = graph.Loops[loop].Axis;
   const Index arc = graph.Arcs + loop;
@@ -70,7 +76,7 @@ double ThicknessOfLoop(const NodeGraph& graph, const AxisFrame& metric, Index lo
     area += 0.5 * Dot(Cross(p - first, q - first), metric.Normal(axis));
     length += Length(q - p);
   }
-  return 2.0 * std::abs(area) / length;
+  return { std::abs(area), length };
 }
 
 /// The radius of a tube that slices one spacing apart show well: least bending then narrows it by
@@ -83,6 +89,9 @@ constexpr double SpacingsOfRadiusAtEdge = 3.0;
 /// Thinner things are not worth the triangles. Of two families, both show what is thin.
 constexpr double MaxStretch = 16.0;
 constexpr double MaxStretchOfTwo = 2.0;
+/// Nor are contours that are thin and long: stretched, they are at most so long. Round ones never
+/// are, with an edge or without.
+constexpr double MaxSpacingsOfLength = 20.0;
 
 /// Points of contours without node points.
 void StretchLoop(
@@ -94,9 +103,11 @@ void StretchLoop(
   const bool isOnly = mesh.StretchAxis >= 0;
   const bool isAtEdge = isOnly && (mesh.Crease[first] != 0 || ends.HasRim[loop] != 0);
   const double spacings = isAtEdge ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
-  const double needed = spacings * geometry.Grid.MeanSpacing(axis);
-  const double stretch = std::clamp(
-    needed / ThicknessOfLoop(graph, mesh.Metric, loop), 1.0, isOnly ? MaxStretch : MaxStretchOfTwo);
+  const double spacing = geometry.Grid.MeanSpacing(axis);
+  const LoopSize size = MeasureLoop(graph, mesh.Metric, loop);
+  const double needed =
+    std::min(spacings / size.Thickness(), MaxSpacingsOfLength / size.Length) * spacing;
+  const double stretch = std::clamp(needed, 1.0, isOnly ? MaxStretch : MaxStretchOfTwo);
   Point3 within{ stretch, stretch, stretch };
   within[axis] = 1.0;
   std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), within);
@@ -217,12 +228,19 @@ void MarkContours(SurfaceMesh& mesh)
 
 void SplitEdge(Index corner, double share, SurfaceMesh& mesh)
 {
+  // A thickness changes evenly from one to the other, so that beside thin things little is
+  // stretched; the stretch itself is the reciprocal of it.
+  const auto between = [share](double start, double end)
+  { return 1.0 / ((1.0 - share) / start + share / end); };
   const Index start = mesh.Corners.StartOf(corner);
   const Index end = mesh.Corners.EndOf(corner);
   const Index across = mesh.Corners.OppositeOf(corner);
   const bool isCurve = mesh.Corners.IsCurve(corner);
   mesh.Points.push_back(Between(mesh.Points[start], mesh.Points[end], share));
-  mesh.Stretch.push_back((1.0 - share) * mesh.Stretch[start] + share * mesh.Stretch[end]);
+  const Point3& from = mesh.Stretch[start];
+  const Point3& to = mesh.Stretch[end];
+  mesh.Stretch.push_back(
+    { between(from[0], to[0]), between(from[1], to[1]), between(from[2], to[2]) });
   mesh.Fixed.push_back(isCurve ? 1 : 0);
   mesh.Crease.push_back(mesh.Crease[start] && mesh.Crease[end] && isCurve ? 1 : 0);
   mesh.Cell.push_back(mesh.Cell[corner / 3]);

@@ -86,7 +86,8 @@ struct SurfaceMesh
 };
 
 /// Puts a point on the edge of a corner, after a share of the way from its start to its end. On a
-/// curve the point is fixed; it is on a crease if both ends are.
+/// curve the point is fixed; it is on a crease if both ends are. Its stretch is that of a thickness
+/// between theirs.
 void SplitEdge(Index corner, double share, SurfaceMesh& mesh);
 
 /**
@@ -98,8 +99,8 @@ void SplitEdge(Index corner, double share, SurfaceMesh& mesh);
  * become creases: the object ends flat. Where guides show what is beyond the last slice, they
  * decide whether it does there or within a rim farther out (RaiseEnds). At creases, too, points of
  * a contour are stretched by what makes its thickness (twice its area by its length: the radius of
- * a circle) 0.85 of the mean spacing, or 3 spacings at a crease, between 1 and 16 times; other
- * points along each axis as the one beside them that is stretched most. With two families this
+ * a circle) 0.85 of the mean spacing, or 3 spacings at a crease, between 1 and 16 times and until
+ * the contour looks 20 spacings long; other points along each axis as the one beside them that is stretched most. With two families this
  * holds for contours between the planes of the other one, up to twice; and along the missing axis
  * points of a patch stay within half the greater spacing of where they were.
  * REQUIRES: the patches are laid out as triangles.

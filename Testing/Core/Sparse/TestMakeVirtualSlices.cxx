@@ -5,6 +5,7 @@
 #include "Core/Reconstruct.h"
 #include "Core/Sparse/SurfaceMesh.h"
 #include "Support/SparseSolids.h"
+#include "Support/TextContours.h"
 #include "Support/Threads.h"
 
 #include <gtest/gtest.h>
@@ -225,6 +226,29 @@ TEST(SurfaceMesh, ThinContoursOfTwoFamiliesAreStretched)
     const double share = static_cast<double>(stretched) / sliced.First.Graph.Count();
     EXPECT_TRUE(thickness < 0.1 ? share > 0.5 : share < 0.05) << share;
   }
+}
+
+//----------------------------------------------------------------------------
+/// A needle is stretched by what makes its thickness 0.85 spacings; a strip that thin is stretched
+/// until it looks 20 spacings long, which is less, and would be much more than others otherwise.
+TEST(SurfaceMesh, LongThinContoursAreStretchedLess)
+{
+  const auto stretchOf = [](const std::string& contour)
+  {
+    Options options;
+    options.Virtual = VirtualSlices::Off;
+    const Reconstruction stack =
+      Reconstruct(ParsePieces("z=0: " + contour + "; z=1: " + contour + "; z=2: " + contour),
+        options, Execution());
+    GuideCurves none;
+    const SurfaceMesh mesh = MakeSurfaceMesh(GeometryOf(stack), stack.Surface, none, Execution());
+    const Index middle = stack.Graph.FirstPoint(stack.Graph.Arcs + 1);
+    EXPECT_EQ(stack.Graph.Loops[1].Plane, 1);
+    return mesh.Stretch[middle][0];
+  };
+  EXPECT_NEAR(stretchOf("0,0 0.2,0 0.2,0.2 0,0.2"), 0.85 / 0.1, 1e-9);
+  EXPECT_NEAR(stretchOf("0,0 4,0 4,0.2 0,0.2"), 20.0 / 8.4, 1e-9);
+  EXPECT_EQ(stretchOf("0,0 12,0 12,0.2 0,0.2"), 1.0);
 }
 
 //----------------------------------------------------------------------------

@@ -205,6 +205,19 @@ TEST(RemeshSurface, StretchedSurfacesHaveMoreTriangles)
 }
 
 //----------------------------------------------------------------------------
+/// Beside a point that is stretched 16 times, what is not stretched stays nearly so: the mean of
+/// the thicknesses is 8.5 times the thinner one.
+TEST(RemeshSurface, LittleIsStretchedBesideThinThings)
+{
+  SurfaceMesh mesh = BallOfRings();
+  const Index corner = 0;
+  mesh.Stretch[mesh.Corners.StartOf(corner)] = { 16.0, 16.0, 1.0 };
+  SplitEdge(corner, 0.5, mesh);
+  EXPECT_NEAR(mesh.Stretch.back()[0], 16.0 / 8.5, 1e-12);
+  EXPECT_EQ(mesh.Stretch.back()[2], 1.0);
+}
+
+//----------------------------------------------------------------------------
 /// Of a convex quadrilateral the shorter diagonal, and curves stay.
 TEST(RemeshSurface, FlipsMakeADelaunayTriangulation)
 {
