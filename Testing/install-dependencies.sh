@@ -37,12 +37,14 @@ announce_packages()
   fi
 }
 
+# Files go to the disk once, at the end, and not one by one: half of the time would be waiting.
 install_announced()
 {
   find_missing "$@"
   if [ ${#missing[@]} -gt 0 ]; then
     as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends \
-      -o Dpkg::Use-Pty=0 "${missing[@]}" > /dev/null
+      -o Dpkg::Use-Pty=0 -o Dpkg::Options::=--force-unsafe-io "${missing[@]}" > /dev/null
+    sync
   fi
 }
 
