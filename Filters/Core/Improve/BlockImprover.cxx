@@ -71,22 +71,22 @@ double QualityOf(double share, double degrees)
 }
 }
 
-double BlockImprover::WantedQuality(const ImprovementLimits& limits)
+double BlockImprover::WantedQuality(const ImprovementLimits& limits, Round round)
 {
-  return QualityOf(1.0, limits.SmallAngle);
+  return QualityOf(round == Round::First ? 1.0 : SplitBound, limits.SmallAngle);
 }
 
 BlockImprover::BlockImprover(const SpatialGrid& grid, const ImprovementLimits& limits,
   std::size_t mostNew, MeshBlock& block, const SurfaceSamples& samples)
   : Limits(limits)
   , MostNew(mostNew)
-  , Bad(WantedQuality(limits))
   , Block(block)
   , Mesh(block.Mesh)
   , State(grid, block, samples)
   , Finder(this->State)
   , TouchedAt(this->Mesh.Points.size(), 1)
   , FailedAt(this->State.Qualities.size())
+  , CutShort(this->State.Qualities.size(), 0)
   , ListedAt(this->State.Qualities.size(), 0)
   , IsWanted(this->State.Qualities.size(), 0)
   , TrianglesAtFirst(this->State.Qualities.size())
@@ -203,6 +203,7 @@ void BlockImprover::ApplySplit(const LocalOperation& operation)
     this->Mesh.Origins.push_back(origin);
     this->State.Qualities.push_back(0.0);
     this->FailedAt.push_back({});
+    this->CutShort.push_back(0);
     this->State.Boxes.Add(Box3(), triangle);
     this->ListedAt.push_back(0);
     this->IsWanted.push_back(0);
@@ -227,15 +228,18 @@ Index BlockImprover::LastTouch(Index triangle) const
   return touched;
 }
 
-std::vector<std::uint8_t> BlockImprover::ListTouched() const
+std::vector<std::uint8_t> BlockImprover::ListAgain() const
 {
-  std::vector<std::uint8_t> touched;
+  std::vector<std::uint8_t> again;
+  again.reserve(this->State.Qualities.size());
   for (Index triangle = 0; 3 * triangle < this->Mesh.Corners.CornerCount(); ++triangle)
   {
-    touched.push_back(
-      this->Mesh.Corners.IsAlive(3 * triangle) && this->LastTouch(triangle) > 1 ? 1 : 0);
+    const bool isOpen = this->Mesh.Corners.IsAlive(3 * triangle) &&
+      (this->Block.IsFree(triangle) ? this->CutShort[triangle] != 0
+                                    : this->LastTouch(triangle) > 1);
+    again.push_back(isOpen ? 1 : 0);
   }
-  return touched;
+  return again;
 }
 
 /// Whether anything beside a triangle has changed since nothing helped it.
@@ -276,6 +280,7 @@ void BlockImprover::Improve(Index triangle, Means means)
   {
     this->FailedAt[triangle][failed] = this->Now;
   }
+  this->CutShort[triangle] = this->Finder.WasCutShort() ? 1 : 0;
 }
 
 /// Improves the triangles that are worse than a bound, and those that become so.
@@ -299,6 +304,7 @@ void BlockImprover::RunBelow(double quality, Means means)
 
 void BlockImprover::Run(Round round, const std::vector<std::uint8_t>& tried)
 {
+  this->Bad = WantedQuality(this->Limits, round);
   for (std::size_t i = 0; i < this->TrianglesAtFirst; ++i)
   {
     if (tried[this->Block.Triangles[i]] == 0)
@@ -332,11 +338,10 @@ void BlockImprover::RunLast()
   this->State.LeastCosine = MostTurnOfWorst;
   this->RunBelow(QualityOf(WorstBound, this->Limits.SmallAngle), Means::Moves);
   this->State.LeastOfCollapse = LeastGain; // else it might undo splits for ever
-  const double wanted = QualityOf(SplitBound, this->Limits.SmallAngle);
-  this->RunBelow(wanted, Means::Splits);
+  this->RunBelow(this->Bad, Means::Splits);
   this->State.Slack = MoreForLast;
   this->ForgetFailures();
-  this->RunBelow(wanted, Means::Beside);
+  this->RunBelow(this->Bad, Means::Beside);
   this->State.LeastCosine = AnyTurn;
   this->ForgetFailures();
   this->RunBelow(QualityOf(FoldBound, this->Limits.SmallAngle), Means::Beside);

@@ -128,8 +128,13 @@ void OperationFinder::TrySplit(Index corner, double share, LocalOperation& best)
   const Point3 place = Between(this->State.At(start), this->State.At(end), share);
   LocalOperation split{ LocalOperation::Kind::Split, corner, -1,
     this->State.MoveIntoBounds(start, place), 0.0 };
-  if (this->WasRefused(split) || !this->State.Block.HasInside(split.Place))
+  if (this->WasRefused(split))
   {
+    return;
+  }
+  if (!this->State.Block.HasInside(split.Place))
+  {
+    this->IsCutShort = true;
     return;
   }
   this->SpanCavity(corner);

@@ -45,8 +45,8 @@ struct MeshImprover::Piece
 {
   std::unique_ptr<MeshBlock> Block;
   std::optional<SurfaceSamples> Samples;
-  std::vector<std::uint8_t> Touched; ///< of each triangle: whether something beside it has changed
-  std::vector<Index> Pending;        ///< triangles that are bad and were not tried
+  std::vector<std::uint8_t> Again; ///< of each triangle: see BlockImprover::ListAgain
+  std::vector<Index> Pending;      ///< triangles that are bad and were not tried
 };
 
 MeshImprover::MeshImprover(const SpatialGrid& grid, const ImprovementLimits& limits,
@@ -70,7 +70,7 @@ bool MeshImprover::IsPending(Index triangle) const
     return false;
   }
   const auto at = [&](Index i) { return this->Mesh.Points[corners.VertexOf(3 * triangle + i)]; };
-  return SquaredSine({ at(0), at(1), at(2) }) < BlockImprover::WantedQuality(this->Limits);
+  return SquaredSine({ at(0), at(1), at(2) }) < this->Wanted;
 }
 
 /// Lists all triangles that are to be improved, as none was tried in this round.
@@ -133,6 +133,7 @@ void MeshImprover::Run()
 
 void MeshImprover::Run(Round round, const Box3& around, double side)
 {
+  this->Wanted = BlockImprover::WantedQuality(this->Limits, round);
   this->ListPending();
   const Point3 extent = this->Pending.empty() ? Point3{} : around.High - around.Low;
   const double whole = std::max({ extent[0], extent[1], extent[2] });
@@ -154,7 +155,7 @@ void MeshImprover::Run(Round round, const Box3& around, double side)
 /// Improves what lies within blocks.
 void MeshImprover::RunIn(const BlockGrid& blocks, Round round)
 {
-  const BlockLists lists = ListBlocks(blocks, this->Mesh, this->Pending, this->Execute);
+  const BlockLists lists = ListBlocks(blocks, this->Mesh, this->Pending, this->Execute, this->Runs);
   for (std::size_t first = 0; first < lists.Count(); first += BlocksTogether)
   {
     std::vector<Piece> pieces(std::min(BlocksTogether, lists.Count() - first));
@@ -218,7 +219,7 @@ void MeshImprover::Improve(const Box3& box, const BlockCells& cells, const Index
     this->Grid, this->Limits, this->MostNewIn(*piece.Block), *piece.Block, this->Samples);
   improver.Run(round, this->Tried);
   piece.Samples.emplace(improver.TakeSamples());
-  piece.Touched = improver.ListTouched();
+  piece.Again = improver.ListAgain();
 }
 
 /// Gives the new points and triangles of pieces their numbers.
@@ -284,7 +285,7 @@ void MeshImprover::PutBack(Piece& piece)
       continue;
     }
     std::uint8_t& tried = this->Tried[block.Triangles[i]];
-    tried = block.IsFree(triangle) ? 1 : piece.Touched[i] != 0 ? 0 : tried;
+    tried = piece.Again[i] != 0 ? 0 : block.IsFree(triangle) ? 1 : tried;
     if (this->IsPending(block.Triangles[i]))
     {
       piece.Pending.push_back(block.Triangles[i]);

@@ -52,6 +52,8 @@ private:
   ImprovableMesh& Mesh;
   Index TrianglesAtFirst;
   SurfaceSamples Samples;
+  TriangleRuns Runs;
+  double Wanted = 0.0;             ///< triangles of less quality are to be improved in this round
   std::vector<std::uint8_t> Tried; ///< of each triangle: whether it was looked at as it is
   std::vector<Index> Pending;      ///< bad triangles that were not
 };

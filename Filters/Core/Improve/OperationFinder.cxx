@@ -128,9 +128,13 @@ void OperationFinder::TryMove(Index point, LocalOperation& best)
   {
     const Point3 place = this->State.MoveIntoBounds(point, from + step * along);
     double quality;
-    if (!this->State.Block.HasInside(place) ||
-      !star.Try({ place, -1, std::max(floor, best.Quality), this->State.LeastCosine }, quality))
+    if (!star.Try({ place, -1, std::max(floor, best.Quality), this->State.LeastCosine }, quality))
     {
+      continue;
+    }
+    if (!this->State.Block.HasInside(place))
+    {
+      this->IsCutShort = true;
       continue;
     }
     const LocalOperation move{ LocalOperation::Kind::Move, -1, point, place,
@@ -164,8 +168,8 @@ void OperationFinder::DescribeStar(Index point, Index gone, Index becomes)
     });
 }
 
-/// Whether all that a change adds stays within the block.
-bool OperationFinder::StaysInside() const
+/// Whether all that a change adds stays within the block. Notes it if not.
+bool OperationFinder::StaysInside()
 {
   Box3 box;
   for (const std::array<Index, 3>& triangle : this->Change.Added)
@@ -175,7 +179,9 @@ bool OperationFinder::StaysInside() const
       box.Add(point == this->Change.Point ? this->Change.Place : this->State.At(point));
     }
   }
-  return this->State.Block.Cells.Cover(box);
+  const bool stays = this->State.Block.Cells.Cover(box);
+  this->IsCutShort = this->IsCutShort || !stays;
+  return stays;
 }
 
 /// Whether an operation leaves triangles apart, also those beside each other.
@@ -316,6 +322,7 @@ LocalOperation OperationFinder::FindBest(Index triangle, Means means)
 bool OperationFinder::Find(Index triangle, Means means, LocalOperation& found)
 {
   this->Refused.clear();
+  this->IsCutShort = false;
   for (PointStar& star : this->Stars)
   {
     star.Point = -1;

@@ -67,6 +67,10 @@ public:
   /// False if there is none.
   bool Find(Index triangle, Means means, LocalOperation& found);
 
+  /// Whether something that might have helped was left out, when it was looked for last, as it would
+  /// have left the block.
+  bool WasCutShort() const { return this->IsCutShort; }
+
 private:
   LocalOperation FindBest(Index triangle, Means means);
   void TryFlips(Index triangle, LocalOperation& best);
@@ -82,7 +86,7 @@ private:
   bool IsCavitySimple() const;
   PointStar& StarOf(Index point);
   bool IsNear(const PointStar& star) const;
-  bool StaysInside() const;
+  bool StaysInside();
   bool IsAllowed(const LocalOperation& operation);
   void DescribeStar(Index point, Index gone, Index becomes);
   bool WasRefused(const LocalOperation& operation) const;
@@ -93,6 +97,7 @@ private:
   SurfaceChange Change;           ///< that is asked for
   std::vector<LocalOperation> Refused;
   std::vector<Index> Cavity, Flipped; ///< see LocalOperation, of a split that is looked at
+  bool IsCutShort = false;
 };
 }
 
