@@ -3,6 +3,7 @@
 #include "Core/Improve/BlockImprover.h"
 
 #include "Core/Base/Vectors.h"
+#include "Core/Improve/MakesFold.h"
 
 #include <algorithm>
 #include <cmath>
@@ -310,6 +311,10 @@ void BlockImprover::Run(Round round, const std::vector<std::uint8_t>& tried)
     if (tried[this->Block.Triangles[i]] == 0)
     {
       this->Want(static_cast<Index>(i));
+      if (this->Block.IsFree(static_cast<Index>(i)))
+      {
+        this->Asked.push_back(static_cast<Index>(i));
+      }
     }
   }
   if (round == Round::First)
@@ -332,8 +337,60 @@ void BlockImprover::RunFirst()
   }
 }
 
+/// Lets the ends of a short side of a triangle become one, or opens a fold at a side. Whether
+/// something was done.
+bool BlockImprover::Unfold(Index triangle)
+{
+  const CornerTable& corners = this->Mesh.Corners;
+  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+  {
+    const Index across = corners.OppositeOf(corner);
+    if (corners.IsCurve(corner) || !this->Block.IsFree(across / 3))
+    {
+      continue;
+    }
+    const bool isShort = this->State.IsShort(corner);
+    if (!isShort && !IsFolded(corners, this->Mesh.Points, corner))
+    {
+      continue;
+    }
+    if (isShort ? this->Finder.FindMerge(corner, this->Found)
+                : this->Finder.FindUnfolding(corner, this->Found))
+    {
+      this->Apply(this->Found);
+      return true;
+    }
+    this->CutShort[triangle] = this->Finder.WasCutShort() ? 1 : 0;
+  }
+  return false;
+}
+
+/// Opens folds, also those that are left beside what was changed.
+void BlockImprover::Unfold()
+{
+  std::size_t work = MaxWork * this->Asked.size();
+  while (!this->Asked.empty() && work > 0)
+  {
+    const Index triangle = this->Asked.back();
+    this->Asked.pop_back();
+    if (this->Mesh.Corners.IsAlive(3 * triangle) && this->Unfold(triangle))
+    {
+      --work;
+      for (const Index changed : this->Found.Change.Removed)
+      {
+        if (this->Mesh.Corners.IsAlive(3 * changed) && this->Block.IsFree(changed))
+        {
+          this->Asked.push_back(changed);
+        }
+      }
+    }
+  }
+}
+
 void BlockImprover::RunLast()
 {
+  this->State.Slack = MoreForLast;
+  this->Unfold();
   this->State.Slack = MoreForWorst;
   this->State.LeastCosine = MostTurnOfWorst;
   this->RunBelow(QualityOf(WorstBound, this->Limits.SmallAngle), Means::Moves);

@@ -43,6 +43,8 @@ public:
 private:
   void RunFirst();
   void RunLast();
+  void Unfold();
+  bool Unfold(Index triangle);
   void RunBelow(double quality, Means means);
   std::vector<Index> ListWorse(double quality, Means means);
   Index LastTouch(Index triangle) const;
@@ -74,6 +76,7 @@ private:
   std::vector<Index> Open;     ///< triangles to be looked at
   std::vector<std::uint8_t> IsWanted;
   std::vector<Index> Wanted; ///< triangles that have been to be looked at
+  std::vector<Index> Asked;  ///< triangles that are free and were not tried, with folds
   std::size_t TrianglesAtFirst;
 };
 }

@@ -99,6 +99,10 @@ void OperationFinder::TrySplits(Index triangle, LocalOperation& best)
   const CornerTable& corners = this->State.Mesh.Corners;
   std::array<std::pair<double, Index>, 3> sides = this->SidesOf(triangle);
   const double shortest = std::sqrt(sides[0].first);
+  if (this->State.IsShort(sides[0].second))
+  {
+    return;
+  }
   for (const int i : { 2, 1 })
   {
     const double length = std::sqrt(sides[i].first);

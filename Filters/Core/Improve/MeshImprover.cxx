@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Improve/MeshImprover.h"
 
+#include "Core/Improve/MakesFold.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -70,7 +72,23 @@ bool MeshImprover::IsPending(Index triangle) const
     return false;
   }
   const auto at = [&](Index i) { return this->Mesh.Points[corners.VertexOf(3 * triangle + i)]; };
-  return SquaredSine({ at(0), at(1), at(2) }) < this->Wanted;
+  return SquaredSine({ at(0), at(1), at(2) }) < this->Wanted ||
+    (this->Now == Round::Last && this->HasFold(triangle));
+}
+
+/// Whether a triangle is folded onto one with a greater number, if it has been in a block.
+bool MeshImprover::HasFold(Index triangle) const
+{
+  const CornerTable& corners = this->Mesh.Corners;
+  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+  {
+    if (corners.OppositeOf(corner) > corner && !corners.IsCurve(corner) &&
+      IsFolded(corners, this->Mesh.Points, corner))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Lists all triangles that are to be improved, as none was tried in this round.
@@ -133,6 +151,7 @@ void MeshImprover::Run()
 
 void MeshImprover::Run(Round round, const Box3& around, double side)
 {
+  this->Now = round;
   this->Wanted = BlockImprover::WantedQuality(this->Limits, round);
   this->ListPending();
   const Point3 extent = this->Pending.empty() ? Point3{} : around.High - around.Low;

@@ -184,8 +184,8 @@ bool OperationFinder::StaysInside()
   return stays;
 }
 
-/// Whether an operation leaves triangles apart, also those beside each other.
-bool OperationFinder::IsAllowed(const LocalOperation& operation)
+/// Describes what an operation changes.
+void OperationFinder::Describe(const LocalOperation& operation)
 {
   const CornerTable& corners = this->State.Mesh.Corners;
   const Index corner = operation.Corner;
@@ -225,11 +225,19 @@ bool OperationFinder::IsAllowed(const LocalOperation& operation)
         { this->Change.Point, corners.StartOf(side), corners.EndOf(side) });
     }
   }
+}
+
+/// Whether an operation leaves triangles apart, and, unless it may make folds, those beside each
+/// other, too.
+bool OperationFinder::IsAllowed(const LocalOperation& operation, bool mayFold)
+{
+  const ImprovableMesh& mesh = this->State.Mesh;
+  this->Describe(operation);
   return this->StaysInside() &&
     (operation.What == LocalOperation::Kind::Collapse ||
       operation.What == LocalOperation::Kind::Move ||
-      this->State.Samples.AreNear(this->Change, this->State.Mesh.Points, this->State.Slack)) &&
-    !MakesFold(corners, this->State.Mesh.Points, this->Change, this->State.Mesh.Borders) &&
+      this->State.Samples.AreNear(this->Change, mesh.Points, this->State.Slack)) &&
+    (mayFold || !MakesFold(mesh.Corners, mesh.Points, this->Change, mesh.Borders)) &&
     this->Guard.Allows(this->Change);
 }
 

@@ -67,11 +67,26 @@ public:
   /// False if there is none.
   bool Find(Index triangle, Means means, LocalOperation& found);
 
+  /// Finds what opens the fold at a corner's edge most. Triangles may turn as they like, but get no
+  /// small angles. False if there is none.
+  bool FindUnfolding(Index corner, LocalOperation& found);
+
+  /// Finds how the ends of a corner's edge, which is short, become one point; whatever fold that
+  /// makes was nearly there before, with that edge as its rim. False if they cannot.
+  bool FindMerge(Index corner, LocalOperation& found);
+
   /// Whether something that might have helped was left out, when it was looked for last, as it would
   /// have left the block.
   bool WasCutShort() const { return this->IsCutShort; }
 
 private:
+  /// An operation that opens a fold so far.
+  struct Unfolding
+  {
+    LocalOperation Operation;
+    double Cosine; ///< see FoldChange
+  };
+
   LocalOperation FindBest(Index triangle, Means means);
   void TryFlips(Index triangle, LocalOperation& best);
   void TryFlip(Index corner, LocalOperation& best) const;
@@ -87,7 +102,12 @@ private:
   PointStar& StarOf(Index point);
   bool IsNear(const PointStar& star) const;
   bool StaysInside();
-  bool IsAllowed(const LocalOperation& operation);
+  bool IsAllowed(const LocalOperation& operation, bool mayFold = false);
+  void Describe(const LocalOperation& operation);
+  void ListUnfolding(Index corner);
+  void AddUnfolding(LocalOperation operation);
+  void AddCollapse(Index corner);
+  void AddMoves(Index point, const Point3& across);
   void DescribeStar(Index point, Index gone, Index becomes);
   bool WasRefused(const LocalOperation& operation) const;
 
@@ -97,6 +117,7 @@ private:
   SurfaceChange Change;           ///< that is asked for
   std::vector<LocalOperation> Refused;
   std::vector<Index> Cavity, Flipped; ///< see LocalOperation, of a split that is looked at
+  std::vector<Unfolding> Unfoldings;  ///< that are looked at
   bool IsCutShort = false;
 };
 }
