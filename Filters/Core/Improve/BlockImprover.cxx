@@ -337,6 +337,20 @@ void BlockImprover::RunFirst()
   }
 }
 
+/// Moves corners of a triangle away from planes that they are pressed onto. Whether one was.
+bool BlockImprover::Lift(Index triangle)
+{
+  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+  {
+    if (this->Finder.FindLift(this->Mesh.Corners.VertexOf(corner), this->Found))
+    {
+      this->Apply(this->Found);
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Lets the ends of a short side of a triangle become one, or opens a fold at a side. Whether
 /// something was done.
 bool BlockImprover::Unfold(Index triangle)
@@ -373,7 +387,8 @@ void BlockImprover::Unfold()
   {
     const Index triangle = this->Asked.back();
     this->Asked.pop_back();
-    if (this->Mesh.Corners.IsAlive(3 * triangle) && this->Unfold(triangle))
+    if (this->Mesh.Corners.IsAlive(3 * triangle) &&
+      (this->Lift(triangle) || this->Unfold(triangle)))
     {
       --work;
       for (const Index changed : this->Found.Change.Removed)

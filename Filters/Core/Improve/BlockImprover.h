@@ -45,6 +45,7 @@ private:
   void RunLast();
   void Unfold();
   bool Unfold(Index triangle);
+  bool Lift(Index triangle);
   void RunBelow(double quality, Means means);
   std::vector<Index> ListWorse(double quality, Means means);
   Index LastTouch(Index triangle) const;

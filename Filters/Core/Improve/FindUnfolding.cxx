@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Orthogonal Slices contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What OperationFinder does about folds.
+// What OperationFinder does about folds, and what comes near them.
 #include "Core/Improve/OperationFinder.h"
 
 #include "Core/Base/Vectors.h"
 #include "Core/Improve/MakesFold.h"
+#include "Core/Improve/PressedPoints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,10 @@ constexpr double LeastOpening = 2.0;
 
 /// Triangles turn as they like.
 constexpr double AnyTurn = -2.0;
+
+/// How far points move away from planes, as shares of the tolerance inside plain patches: else to the
+/// other side.
+constexpr std::array<double, 8> Lifts{ 1.0, 0.5, 0.25, 0.125, -1.0, -0.5, -0.25, -0.125 };
 
 /// How far points move across the fold, as shares of the least height of a triangle over it.
 constexpr std::array<double, 3> ShiftsAcross{ 0.1, 0.2, 0.4 };
@@ -82,12 +87,7 @@ void OperationFinder::AddMoves(Index point, const Point3& across)
   PointStar& star = this->Stars[0];
   star.Set(this->State.Mesh.Corners, this->State.Mesh.Points, point);
   const Point3& from = this->State.At(point);
-  Point3 middle{ 0.0, 0.0, 0.0 };
-  for (std::size_t i = 0; i < star.Corners.size(); ++i)
-  {
-    const Point3& next = star.Before[i][(star.Corners[i] + 1) % 3];
-    middle = middle + (1.0 / star.Corners.size()) * (next - from);
-  }
+  const Point3 middle = star.Middle() - from;
   std::vector<Point3> steps{ middle, 0.6 * middle, 0.3 * middle };
   for (const double shift : ShiftsAcross)
   {
@@ -162,6 +162,38 @@ bool OperationFinder::FindMerge(Index corner, LocalOperation& found)
     found = { LocalOperation::Kind::Collapse, side, -1, {}, 0.0 };
     if (star.Try({ this->State.At(end), end, star.Quality, AnyTurn }, quality) &&
       this->IsNear(star) && this->IsAllowed(found, true))
+    {
+      std::swap(found.Change, this->Change);
+      return true;
+    }
+  }
+  return false;
+}
+
+bool OperationFinder::FindLift(Index point, LocalOperation& found)
+{
+  const ImprovableMesh& mesh = this->State.Mesh;
+  const double tolerance = this->State.Samples.ToleranceInside();
+  this->IsCutShort = false;
+  const PressedPoint pressed = point < this->State.Block.Kept
+    ? PressedPoint()
+    : FindPressing(this->State.Grid, mesh.Corners, mesh.Points, point, PressedShare * tolerance);
+  if (pressed.Axis < 0)
+  {
+    return false;
+  }
+  PointStar& star = this->Stars[0];
+  star.Set(mesh.Corners, mesh.Points, point);
+  for (const double share : Lifts)
+  {
+    Point3 place = this->State.At(point);
+    place[pressed.Axis] += share * pressed.Way * tolerance;
+    place = this->State.MoveIntoBounds(point, place);
+    double quality = 1.0;
+    found = { LocalOperation::Kind::Move, -1, point, place, 0.0 };
+    if (star.Try({ place, -1, 0.0, AnyTurn }, quality) &&
+      quality >= std::min(star.Quality, LeastQuality) && this->IsNear(star) &&
+      this->State.Block.HasInside(place) && this->IsAllowed(found))
     {
       std::swap(found.Change, this->Change);
       return true;

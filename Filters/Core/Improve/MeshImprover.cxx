@@ -3,6 +3,7 @@
 #include "Core/Improve/MeshImprover.h"
 
 #include "Core/Improve/MakesFold.h"
+#include "Core/Improve/PressedPoints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,29 @@ bool MeshImprover::IsPending(Index triangle) const
   }
   const auto at = [&](Index i) { return this->Mesh.Points[corners.VertexOf(3 * triangle + i)]; };
   return SquaredSine({ at(0), at(1), at(2) }) < this->Wanted ||
-    (this->Now == Round::Last && this->HasFold(triangle));
+    (this->Now == Round::Last && (this->HasFold(triangle) || this->HasPressed(triangle)));
+}
+
+/// Whether a triangle lies next to a plane, and a corner of it is inside a patch.
+bool MeshImprover::HasPressed(Index triangle) const
+{
+  const double distance = PressedShare * this->Samples.ToleranceInside();
+  const Box3 box = BoxOfPart(this->Mesh, triangle);
+  const Point3 extent = box.High - box.Low;
+  if (!(std::min({ extent[0], extent[1], extent[2] }) < 2.0 * distance))
+  {
+    return false;
+  }
+  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+  {
+    const Index point = this->Mesh.Corners.VertexOf(corner);
+    if (point >= this->Mesh.FirstInside &&
+      FindPressing(this->Grid, this->Mesh.Points[point], distance).Axis >= 0)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Whether a triangle is folded onto one with a greater number, if it has been in a block.

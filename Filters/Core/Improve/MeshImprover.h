@@ -40,6 +40,7 @@ private:
   void ListPending();
   bool IsPending(Index triangle) const;
   bool HasFold(Index triangle) const;
+  bool HasPressed(Index triangle) const;
   void ListPendingOf(const std::vector<Piece>& pieces);
   void Improve(const Box3& box, const BlockCells& cells, const Index* begin, const Index* end,
     Round round, Piece& piece) const;

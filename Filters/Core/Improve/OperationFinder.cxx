@@ -113,16 +113,11 @@ void OperationFinder::TryMove(Index point, LocalOperation& best)
   {
     return;
   }
-  Point3 middle{ 0.0, 0.0, 0.0 };
-  for (std::size_t i = 0; i < star.Corners.size(); ++i)
-  {
-    const Point3& next = star.Before[i][(star.Corners[i] + 1) % 3];
-    middle = middle + (1.0 / star.Corners.size()) * next;
-  }
   const Point3& from = this->State.At(point);
   const Point3 normal = Dot(this->State.Mesh.Normals[point], this->State.Mesh.Normals[point]) > 0.0
     ? this->State.Mesh.Normals[point]
     : Unit(star.Outwards);
+  const Point3 middle = star.Middle();
   const Point3 along = (middle - from) - Dot(middle - from, normal) * normal;
   for (const double step : { 1.0, 0.6, 0.3 })
   {

@@ -75,6 +75,10 @@ public:
   /// makes was nearly there before, with that edge as its rim. False if they cannot.
   bool FindMerge(Index corner, LocalOperation& found);
 
+  /// Finds how far a point that is pressed onto a plane of the grid may move away from it. False if
+  /// it is not, or cannot.
+  bool FindLift(Index point, LocalOperation& found);
+
   /// Whether something that might have helped was left out, when it was looked for last, as it would
   /// have left the block.
   bool WasCutShort() const { return this->IsCutShort; }

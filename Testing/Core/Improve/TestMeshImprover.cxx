@@ -320,3 +320,30 @@ TEST(MeshImprover, TinySidesAreNotSplitAround)
   Improve(limits, mesh);
   EXPECT_LT(Plain(mesh).Triangles.size(), 1.1 * before.Triangles.size());
 }
+
+//----------------------------------------------------------------------------
+/// The apex of a nearly flat cone on a plane: what comes through the plane beside it nearly touched it.
+TEST(MeshImprover, PressedPointsMoveAwayFromPlanes)
+{
+  PlainMesh before;
+  for (Index i = 0; i < 6; ++i)
+  {
+    const double angle = 3.14159265358979323846 / 3.0 * i;
+    before.Points.push_back({ std::cos(angle), std::sin(angle), 0.0 });
+    before.Triangles.push_back({ i, (i + 1) % 6, 6 });
+    before.Triangles.push_back({ (i + 1) % 6, i, 7 });
+  }
+  before.Points.push_back({ 0.0, 0.0, 1e-6 });
+  before.Points.push_back({ 0.0, 0.0, -1.0 });
+  ImprovableMesh mesh = Improvable(before);
+  mesh.FirstInside = 6;
+  SpatialGrid grid;
+  grid.Planes[2] = { -2.0, 0.0 };
+  grid.Lowest = { -10.0, -10.0, -10.0 };
+  grid.Highest = { 10.0, 10.0, 10.0 };
+  const double tolerance = 0.01;
+  MeshImprover(grid, { tolerance, 22.0 }, Execution(), mesh).Run();
+  EXPECT_GT(mesh.Points[6][2], 0.5 * tolerance);
+  EXPECT_LT(mesh.Points[6][2], 1.7001 * tolerance);
+  EXPECT_EQ(DescribeFlaws(Plain(mesh)), "");
+}
