@@ -10,6 +10,7 @@
 #include "Support/AnalyticSolids.h"
 #include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
+#include "Support/SharpestFold.h"
 #include "Support/SliceSolid.h"
 #include "Support/Vtk/DataSets.h"
 #include "Support/Vtk/PolyDataMesh.h"
@@ -201,6 +202,30 @@ TEST(VolumeMeshes, TetGenFillsTheBodyAndLeavesTheCavityOut)
   const double body = CheckSurface(MeshOf(run.Filter->GetOutput())).TotalVolume();
   ASSERT_EQ(volumes.size(), 1u);
   EXPECT_NEAR(volumes.begin()->second, body, 1e-6 * body);
+}
+
+//----------------------------------------------------------------------------
+/// Mesh generators refuse triangles that lie on each other, or fill what is between with thousands.
+TEST(VolumeMeshes, NoTrianglesLieOnEachOther)
+{
+  for (const char* name :
+    { "aorta", "boot", "heart", "knot", "lbl_lumbar3", "lbl_stomach", "neuron", "pelvis", "skull" })
+  {
+    SCOPED_TRACE(name);
+    FilterRun run(ReadPieceSets(DataNamed(name), 16));
+    run.Update();
+    EXPECT_GT(SharpestFold(MeshOf(run.Filter->GetOutput())), 9.9);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Where the ends of a side that is tiny cannot become one, nothing is split around it: else there would
+/// be a thousand triangles more at one place, and smaller ones.
+TEST(VolumeMeshes, TrianglesDoNotGatherAtTinySides)
+{
+  FilterRun run(ReadPieceSets(DataNamed("neuron"), 32));
+  run.Update();
+  EXPECT_LT(run.Filter->GetOutput()->GetNumberOfPolys(), 10000);
 }
 
 //----------------------------------------------------------------------------

@@ -10,8 +10,7 @@ namespace orthoslices
 {
 namespace
 {
-/// Sides are short below that share of the tolerance. Good triangles there would be as small as they
-/// are, and those around them hardly larger: hundreds at one place.
+/// Sides are short below that share of the tolerance.
 constexpr double ShortSide = 0.05;
 
 /// The boxes of all triangles that are part of the surface; others are empty.

@@ -100,6 +100,7 @@ private:
   void TrySplits(Index triangle, LocalOperation& best);
   void TrySplit(Index corner, double share, LocalOperation& best);
   std::array<std::pair<double, Index>, 3> SidesOf(Index triangle) const;
+  bool MayMove(Index corner) const;
   void SpanCavity(Index corner);
   void WidenCavity(const Point3& place);
   bool IsCavitySimple() const;

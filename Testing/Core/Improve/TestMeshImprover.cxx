@@ -309,19 +309,6 @@ TEST(MeshImprover, TinySidesGo)
 }
 
 //----------------------------------------------------------------------------
-/// Where the ends of tiny sides have to stay, splits would only make triangles as small as these are.
-TEST(MeshImprover, TinySidesAreNotSplitAround)
-{
-  const PlainMesh before = BallOfPairs(0.01);
-  ImprovableMesh mesh = Improvable(before);
-  ImprovementLimits limits{ 0.3, 22.0 };
-  limits.Kept = static_cast<Index>(before.Points.size());
-  limits.Growth = 3.0;
-  Improve(limits, mesh);
-  EXPECT_LT(Plain(mesh).Triangles.size(), 1.1 * before.Triangles.size());
-}
-
-//----------------------------------------------------------------------------
 /// The apex of a nearly flat cone on a plane: what comes through the plane beside it nearly touched it.
 TEST(MeshImprover, PressedPointsMoveAwayFromPlanes)
 {
