@@ -3,6 +3,7 @@
 // What OperationFinder does about folds, and what comes near them.
 #include "Core/Improve/OperationFinder.h"
 
+#include "Core/Base/TriangleDistance.h"
 #include "Core/Base/Vectors.h"
 #include "Core/Improve/MakesFold.h"
 #include "Core/Improve/PressedPoints.h"
@@ -60,6 +61,30 @@ void OperationFinder::AddUnfolding(LocalOperation operation)
   }
 }
 
+/// Adds a flip, if the middle of the side is near what takes its place. Of a fold the distance of the
+/// diagonals, by which other flips go, says nothing.
+void OperationFinder::AddFlip(Index corner)
+{
+  const CornerTable& corners = this->State.Mesh.Corners;
+  if (!corners.CanFlip(corner))
+  {
+    return;
+  }
+  const Index across = corners.OppositeOf(corner);
+  const Point3 &a = this->State.At(corners.StartOf(corner)),
+               &b = this->State.At(corners.EndOf(corner)),
+               &c = this->State.At(corners.VertexOf(corner)),
+               &d = this->State.At(corners.VertexOf(across));
+  const Point3 middle = Between(a, b, 0.5);
+  const double most =
+    this->State.Slack * this->State.Samples.ToleranceOfSide(corner / 3, across / 3);
+  if (std::min(SquaredDistanceToTriangle(middle, a, d, c),
+        SquaredDistanceToTriangle(middle, d, b, c)) <= most * most)
+  {
+    this->AddUnfolding({ LocalOperation::Kind::Flip, corner, -1, {}, 0.0 });
+  }
+}
+
 void OperationFinder::AddCollapse(Index corner)
 {
   const CornerTable& corners = this->State.Mesh.Corners;
@@ -98,8 +123,11 @@ void OperationFinder::AddMoves(Index point, const Point3& across)
   {
     const Point3 place = this->State.MoveIntoBounds(point, from + step);
     double quality = 1.0;
-    if (this->State.Block.HasInside(place) && star.Try({ place, -1, 0.0, AnyTurn }, quality) &&
-      this->IsNear(star))
+    if (!this->State.Block.HasInside(place))
+    {
+      this->IsCutShort = true;
+    }
+    else if (star.Try({ place, -1, 0.0, AnyTurn }, quality) && this->IsNear(star))
     {
       this->AddUnfolding({ LocalOperation::Kind::Move, -1, point, place, 0.0 });
     }
@@ -117,10 +145,7 @@ void OperationFinder::ListUnfolding(Index corner)
   for (const Index side : sides)
   {
     const Index beyond = corners.OppositeOf(side);
-    if (corners.CanFlip(side))
-    {
-      this->AddUnfolding({ LocalOperation::Kind::Flip, side, -1, {}, 0.0 });
-    }
+    this->AddFlip(side);
     this->AddCollapse(side);
     this->AddCollapse(beyond);
   }

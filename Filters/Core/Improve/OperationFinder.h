@@ -111,6 +111,7 @@ private:
   void Describe(const LocalOperation& operation);
   void ListUnfolding(Index corner);
   void AddUnfolding(LocalOperation operation);
+  void AddFlip(Index corner);
   void AddCollapse(Index corner);
   void AddMoves(Index point, const Point3& across);
   void DescribeStar(Index point, Index gone, Index becomes);

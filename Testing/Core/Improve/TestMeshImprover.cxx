@@ -284,7 +284,7 @@ TEST(MeshImprover, FoldsAreOpened)
   ImprovableMesh mesh = Improvable(before);
   mesh.Normals.assign(before.Points.size(), { 0.0, 0.0, 0.0 });
   EXPECT_EQ(CountFolds(mesh), 2);
-  ImprovementLimits limits{ 0.01, 22.0 };
+  ImprovementLimits limits{ 0.2, 22.0 };
   limits.Kept = static_cast<Index>(before.Points.size());
   Improve(limits, mesh);
   EXPECT_EQ(CountFolds(mesh), 0);
