@@ -301,7 +301,8 @@ void MeshImprover::PutBack(Piece& piece)
   const ImprovableMesh& mesh = block.Mesh;
   this->Mesh.Corners.PutBack({ mesh.Corners, block.Triangles, block.Points, block.FirstInner });
   this->Samples.PutBack(*piece.Samples, block);
-  for (std::size_t i = static_cast<std::size_t>(block.FirstInner); i < block.Points.size(); ++i)
+  // Frozen points are as they were, and other pieces may look at them at the same time.
+  for (std::size_t i = static_cast<std::size_t>(block.FirstFree); i < block.Points.size(); ++i)
   {
     const Index point = block.Points[i];
     this->Mesh.Points[point] = mesh.Points[i];
