@@ -9,6 +9,7 @@
 #include "Support/CheckSurface.h"
 #include "Support/Perturbations.h"
 #include "Support/SelfIntersections.h"
+#include "Support/SharpestFold.h"
 #include "Support/SliceSolid.h"
 #include "Support/Vtk/CountTopology.h"
 
@@ -262,4 +263,15 @@ TEST(Perturbations, RoundedToFloatAllCoordinatesAreFloats)
   EXPECT_EQ(sets[1].W, std::vector<double>(3, 0.3f));
   EXPECT_EQ(sets[1].U, (std::vector<double>{ 0.1f, 1.0, 1.0 }));
   EXPECT_EQ(sets[2].V, (std::vector<double>{ 0.0, 0.0, 6.0 }));
+}
+
+//----------------------------------------------------------------------------
+TEST(SharpestFold, IsTheLeastAngleAtASide)
+{
+  TriangleMesh mesh = Tetrahedron();
+  EXPECT_NEAR(SharpestFold(mesh), 54.7356, 1e-3); // of the slanted triangle and the others
+  mesh.Points[3] = { 0.25, 0.25, 1e-9 };
+  EXPECT_LT(SharpestFold(mesh), 1e-6);
+  mesh.Points[3] = { 0, 0, std::tan(3.14159265358979323846 / 36.0) / std::sqrt(2.0) };
+  EXPECT_NEAR(SharpestFold(mesh), 5.0, 1e-9); // half a side's diagonal away
 }

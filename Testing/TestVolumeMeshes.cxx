@@ -10,6 +10,7 @@
 #include "Support/AnalyticSolids.h"
 #include "Support/CheckSurface.h"
 #include "Support/FilterRun.h"
+#include "Support/SharpestFold.h"
 #include "Support/SliceSolid.h"
 #include "Support/Vtk/DataSets.h"
 #include "Support/Vtk/PolyDataMesh.h"
@@ -204,14 +205,38 @@ TEST(VolumeMeshes, TetGenFillsTheBodyAndLeavesTheCavityOut)
 }
 
 //----------------------------------------------------------------------------
-/// Shapes of the data folder that are not thin against the spacing.
+/// Mesh generators refuse triangles that lie on each other, or fill what is between with thousands.
+TEST(VolumeMeshes, NoTrianglesLieOnEachOther)
+{
+  for (const char* name :
+    { "aorta", "boot", "heart", "knot", "lbl_lumbar3", "lbl_stomach", "neuron", "pelvis", "skull" })
+  {
+    SCOPED_TRACE(name);
+    FilterRun run(ReadPieceSets(DataNamed(name), 16));
+    run.Update();
+    EXPECT_GT(SharpestFold(MeshOf(run.Filter->GetOutput())), 9.9);
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Where the ends of a side that is tiny cannot become one, nothing is split around it: else there would
+/// be a thousand triangles more at one place, and smaller ones.
+TEST(VolumeMeshes, TrianglesDoNotGatherAtTinySides)
+{
+  FilterRun run(ReadPieceSets(DataNamed("neuron"), 32));
+  run.Update();
+  EXPECT_LT(run.Filter->GetOutput()->GetNumberOfPolys(), 10000);
+}
+
+//----------------------------------------------------------------------------
+/// Shapes of the data folder, thin ones among them.
 TEST(VolumeMeshes, TetGenFillsShapesOfTheDataFolder)
 {
   if (!IsThere("tetgen"))
   {
     GTEST_SKIP() << "tetgen was not found";
   }
-  for (const char* name : { "aorta", "heart", "lbl_lumbar3" })
+  for (const char* name : { "aorta", "heart", "lbl_lumbar3", "lbl_stomach", "neuron" })
   {
     SCOPED_TRACE(name);
     FilterRun run(ReadPieceSets(DataNamed(name), 16));
@@ -229,26 +254,30 @@ TEST(VolumeMeshes, TetGenFillsShapesOfTheDataFolder)
 }
 
 //----------------------------------------------------------------------------
-TEST(VolumeMeshes, GmshFillsTheHeart)
+TEST(VolumeMeshes, GmshFillsShapesOfTheDataFolder)
 {
   if (!IsThere("gmsh"))
   {
     GTEST_SKIP() << "gmsh was not found";
   }
-  FilterRun run(ReadPieceSets(DataNamed("heart"), 16));
-  run.Update();
-  const Folder folder;
-  WriteStl(MeshOf(run.Filter->GetOutput()), folder.File("heart.stl"));
-  std::ofstream(folder.File("heart.geo"))
-    << "Merge \"heart.stl\";\nSurface Loop(1) = {1};\nVolume(1) = {1};\n";
-  ASSERT_EQ(
-    RunProgram("cd " + folder.File("") + " && gmsh -3 -format msh2 -o heart.msh heart.geo"), 0);
-  std::ifstream mesh(folder.File("heart.msh"));
-  std::string word;
-  std::int64_t elements = 0;
-  while (mesh >> word && word != "$Elements")
+  for (const char* name : { "heart", "lbl_lumbar3", "lbl_stomach" })
   {
+    SCOPED_TRACE(name);
+    FilterRun run(ReadPieceSets(DataNamed(name), 16));
+    run.Update();
+    const Folder folder;
+    WriteStl(MeshOf(run.Filter->GetOutput()), folder.File("shape.stl"));
+    std::ofstream(folder.File("shape.geo"))
+      << "Merge \"shape.stl\";\nSurface Loop(1) = {1};\nVolume(1) = {1};\n";
+    ASSERT_EQ(
+      RunProgram("cd " + folder.File("") + " && gmsh -3 -format msh2 -o shape.msh shape.geo"), 0);
+    std::ifstream mesh(folder.File("shape.msh"));
+    std::string word;
+    std::int64_t elements = 0;
+    while (mesh >> word && word != "$Elements")
+    {
+    }
+    mesh >> elements;
+    EXPECT_GT(elements, 2 * run.Filter->GetOutput()->GetNumberOfPolys());
   }
-  mesh >> elements;
-  EXPECT_GT(elements, 2 * run.Filter->GetOutput()->GetNumberOfPolys());
 }

@@ -9,7 +9,8 @@
  *
  * A folder has contours in nN_x.vtp, nN_y.vtp and nN_z.vtp for N planes per axis, and the surface
  * that they are cuts of in truth.vtp. One row for each folder, number of planes and choice of
- * families. RMS distances from the truth are in mean plane spacings; seconds are those of one
+ * families. RMS distances from the truth are in mean plane spacings; a fold is the angle between two
+ * triangles at a common side; seconds are those of one
  * thread, from contours to triangles in memory. Crossings are those of the few triangles, decided
  * exactly. --stages prints the seconds of each stage, of all and of few triangles; --accuracy takes
  * this *Accuracy* instead of the automatic one, --keep is *Keep Contour Vertices*. --write leaves
@@ -21,6 +22,7 @@
 #include "Core/Surface/TriangleMeasures.h"
 #include "Support/CheckEmbedding.h"
 #include "Support/ReconstructionMesh.h"
+#include "Support/SharpestFold.h"
 #include "Support/Vtk/SurfaceMetrics.h"
 
 #include "vtkCellArray.h"
@@ -156,12 +158,13 @@ void PrintRow(const std::string& name, const Run& all, const Run& few)
 {
   const auto count = [](const Run& run) { return run.Mesh.Triangles.size(); };
   std::printf("| %s | %zu | %zu | %.2f | %.3f | %.2f | %.1f → %.1f | %.1g → %.2g | %.2g → %.2g | "
-              "%.2f → %.2f | %.2f | %zu |\n",
+              "%.2g → %.2g | %.2f → %.2f | %.2f | %zu |\n",
     name.c_str(), count(all), count(few), double(count(few)) / double(count(all)), all.Distance,
     few.Distance / all.Distance, 100.0 * all.Quality.ShareAbove20Degrees,
     100.0 * few.Quality.ShareAbove20Degrees, all.Quality.SmallestAngle, few.Quality.SmallestAngle,
-    all.Quality.LargestAspectRatio, few.Quality.LargestAspectRatio, all.Seconds, few.Seconds,
-    few.Seconds / all.Seconds, FindMeetings(few.Mesh).size());
+    all.Quality.LargestAspectRatio, few.Quality.LargestAspectRatio, SharpestFold(all.Mesh),
+    SharpestFold(few.Mesh), all.Seconds, few.Seconds, few.Seconds / all.Seconds,
+    FindMeetings(few.Mesh).size());
   std::fflush(stdout);
 }
 
@@ -309,9 +312,10 @@ int main(int argc, char* argv[])
       argv[0]);
     return 2;
   }
-  std::printf("| shape, planes | all | few | share | RMS of all | × | above 20°, %% | smallest "
-              "angle, degrees | largest aspect ratio | seconds | × | crossings |\n"
-              "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  std::printf(
+    "| shape, planes | all | few | share | RMS of all | × | above 20°, %% | smallest "
+    "angle, degrees | largest aspect ratio | sharpest fold, degrees | seconds | × | crossings |\n"
+    "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const std::filesystem::path& folder : arguments.Folders)
   {
     RunFolder(folder, arguments);

@@ -21,8 +21,8 @@ constexpr double MarginOfTriangle = 1.0 / 16.0;
 /// Where more than one of so many triangles are wanted, most are near them.
 constexpr std::size_t ManyOfAll = 50;
 
-/// Triangles that a thread sorts into blocks at a time.
-constexpr std::size_t ChunkSize = 65536;
+/// Triangles that a thread sorts into blocks at a time: whole runs.
+constexpr std::size_t ChunkSize = 1024 * TriangleRuns::Length;
 
 /// Calls run(chunk, begin, end) for chunks of so many items, which do not depend on the threads.
 template <typename Run>
@@ -92,6 +92,73 @@ std::vector<Index> FindWanted(const BlockGrid& blocks, const ImprovableMesh& mes
   }
   return places;
 }
+
+/// A place in a list of blocks, and a triangle.
+using Hit = std::array<Index, 2>;
+
+/// Lists which blocks triangles meet, run by run.
+class HitFinder
+{
+public:
+  HitFinder(const BlockGrid& blocks, const ImprovableMesh& mesh, const std::vector<Index>& places,
+    const std::vector<BlockCells>& cells, TriangleRuns& runs)
+    : Blocks(blocks)
+    , Mesh(mesh)
+    , Places(places)
+    , Cells(cells)
+    , Runs(runs)
+  {
+  }
+
+  void AddRun(std::size_t run, std::vector<Hit>& hits) const
+  {
+    Box3& around = this->Runs.Boxes[run];
+    const bool isKnown = !(around.Low[0] < -std::numeric_limits<double>::max());
+    bool isNear = !isKnown;
+    this->ForHits(around, isKnown, [&](Index) { isNear = true; });
+    if (!isNear)
+    {
+      return;
+    }
+    const std::size_t before = hits.size();
+    const std::size_t first = run * TriangleRuns::Length;
+    const std::size_t end = std::min(this->Runs.Count, first + TriangleRuns::Length);
+    Box3 all;
+    for (std::size_t i = first; i < end; ++i)
+    {
+      const Index triangle = static_cast<Index>(i);
+      const Box3 box = BoxOfPart(this->Mesh, triangle);
+      this->ForHits(box, true, [&](Index place) { hits.push_back({ place, triangle }); });
+      all.Add(box);
+    }
+    around = hits.size() > before ? Everywhere() : all;
+  }
+
+private:
+  /// Calls visit(place) for the blocks in the list whose cells a box meets, if that is not empty.
+  template <typename Visit>
+  void ForHits(const Box3& box, bool isKnown, Visit&& visit) const
+  {
+    if (isKnown && box.Low[0] <= box.High[0])
+    {
+      this->Blocks.ForBlocksAt(box,
+        [&](Index block)
+        {
+          const Index place = this->Places[block];
+          if (place >= 0 && this->Cells[place].Meet(box))
+          {
+            visit(place);
+          }
+        });
+    }
+  }
+
+  const BlockGrid& Blocks;
+  const ImprovableMesh& Mesh;
+  const std::vector<Index>& Places; ///< of blocks in the list
+  const std::vector<BlockCells>& Cells;
+  TriangleRuns& Runs;
+};
 }
 
 BlockGrid::BlockGrid(const Box3& around, double side, double shift)
@@ -194,7 +261,7 @@ bool BlockCells::Cover(const Box3& box) const
 }
 
 BlockLists ListBlocks(const BlockGrid& blocks, const ImprovableMesh& mesh,
-  const std::vector<Index>& wanted, const Execution& execution)
+  const std::vector<Index>& wanted, const Execution& execution, TriangleRuns& runs)
 {
   BlockLists lists;
   const std::vector<Index> places = FindWanted(blocks, mesh, wanted, lists);
@@ -203,27 +270,16 @@ BlockLists ListBlocks(const BlockGrid& blocks, const ImprovableMesh& mesh,
     return lists;
   }
   const std::size_t count = static_cast<std::size_t>(mesh.Corners.CornerCount()) / 3;
-  using Hit = std::array<Index, 2>; // a place in the list, and a triangle
+  runs.Resize(count);
+  const HitFinder finder(blocks, mesh, places, lists.Cells, runs);
   std::vector<std::vector<Hit>> hits((count + ChunkSize - 1) / ChunkSize);
   ForChunks(count, execution,
     [&](std::size_t chunk, std::size_t begin, std::size_t end)
     {
       hits[chunk].reserve(wanted.size() < count / ManyOfAll ? 0 : end - begin);
-      for (Index triangle = static_cast<Index>(begin); triangle < static_cast<Index>(end);
-           ++triangle)
+      for (std::size_t first = begin; first < end; first += TriangleRuns::Length)
       {
-        const Box3 box = BoxOfPart(mesh, triangle);
-        if (box.Low[0] <= box.High[0])
-        {
-          blocks.ForBlocksAt(box,
-            [&](Index block)
-            {
-              if (places[block] >= 0 && lists.Cells[places[block]].Meet(box))
-              {
-                hits[chunk].push_back({ places[block], triangle });
-              }
-            });
-        }
+        finder.AddRun(first / TriangleRuns::Length, hits[chunk]);
       }
     });
   lists.Offsets.assign(lists.Count() + 1, 0);

@@ -122,9 +122,30 @@ struct BlockLists
   std::size_t Count() const { return this->Blocks.size(); }
 };
 
-/// Lists the triangles around some, in the blocks in which these lie strictly.
+/**
+ * Boxes around runs of triangles with neighbouring numbers, most of which are near each other: a run
+ * that is far from all that is wanted need not be looked at triangle by triangle.
+ */
+struct TriangleRuns
+{
+  static constexpr std::size_t Length = 64;
+
+  /// So many triangles; new ones, and those in their runs, are not known yet.
+  void Resize(std::size_t triangles)
+  {
+    this->Boxes.resize(this->Count / Length); // the last one may not be full
+    this->Boxes.resize((triangles + Length - 1) / Length, Everywhere());
+    this->Count = triangles;
+  }
+
+  std::size_t Count = 0;   ///< of triangles
+  std::vector<Box3> Boxes; ///< of runs; without end where triangles may have changed since
+};
+
+/// Lists the triangles around some, in the blocks in which these lie strictly. These may be changed
+/// from then on, and the runs say so.
 BlockLists ListBlocks(const BlockGrid& blocks, const ImprovableMesh& mesh,
-  const std::vector<Index>& wanted, const Execution& execution);
+  const std::vector<Index>& wanted, const Execution& execution, TriangleRuns& runs);
 }
 
 #endif

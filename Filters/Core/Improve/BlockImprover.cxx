@@ -3,6 +3,7 @@
 #include "Core/Improve/BlockImprover.h"
 
 #include "Core/Base/Vectors.h"
+#include "Core/Improve/MakesFold.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,22 +72,22 @@ double QualityOf(double share, double degrees)
 }
 }
 
-double BlockImprover::WantedQuality(const ImprovementLimits& limits)
+double BlockImprover::WantedQuality(const ImprovementLimits& limits, Round round)
 {
-  return QualityOf(1.0, limits.SmallAngle);
+  return QualityOf(round == Round::First ? 1.0 : SplitBound, limits.SmallAngle);
 }
 
 BlockImprover::BlockImprover(const SpatialGrid& grid, const ImprovementLimits& limits,
   std::size_t mostNew, MeshBlock& block, const SurfaceSamples& samples)
   : Limits(limits)
   , MostNew(mostNew)
-  , Bad(WantedQuality(limits))
   , Block(block)
   , Mesh(block.Mesh)
   , State(grid, block, samples)
   , Finder(this->State)
   , TouchedAt(this->Mesh.Points.size(), 1)
   , FailedAt(this->State.Qualities.size())
+  , CutShort(this->State.Qualities.size(), 0)
   , ListedAt(this->State.Qualities.size(), 0)
   , IsWanted(this->State.Qualities.size(), 0)
   , TrianglesAtFirst(this->State.Qualities.size())
@@ -203,6 +204,7 @@ void BlockImprover::ApplySplit(const LocalOperation& operation)
     this->Mesh.Origins.push_back(origin);
     this->State.Qualities.push_back(0.0);
     this->FailedAt.push_back({});
+    this->CutShort.push_back(0);
     this->State.Boxes.Add(Box3(), triangle);
     this->ListedAt.push_back(0);
     this->IsWanted.push_back(0);
@@ -227,15 +229,18 @@ Index BlockImprover::LastTouch(Index triangle) const
   return touched;
 }
 
-std::vector<std::uint8_t> BlockImprover::ListTouched() const
+std::vector<std::uint8_t> BlockImprover::ListAgain() const
 {
-  std::vector<std::uint8_t> touched;
+  std::vector<std::uint8_t> again;
+  again.reserve(this->State.Qualities.size());
   for (Index triangle = 0; 3 * triangle < this->Mesh.Corners.CornerCount(); ++triangle)
   {
-    touched.push_back(
-      this->Mesh.Corners.IsAlive(3 * triangle) && this->LastTouch(triangle) > 1 ? 1 : 0);
+    const bool isOpen = this->Mesh.Corners.IsAlive(3 * triangle) &&
+      (this->Block.IsFree(triangle) ? this->CutShort[triangle] != 0
+                                    : this->LastTouch(triangle) > 1);
+    again.push_back(isOpen ? 1 : 0);
   }
-  return touched;
+  return again;
 }
 
 /// Whether anything beside a triangle has changed since nothing helped it.
@@ -276,6 +281,7 @@ void BlockImprover::Improve(Index triangle, Means means)
   {
     this->FailedAt[triangle][failed] = this->Now;
   }
+  this->CutShort[triangle] = this->Finder.WasCutShort() ? 1 : 0;
 }
 
 /// Improves the triangles that are worse than a bound, and those that become so.
@@ -299,11 +305,16 @@ void BlockImprover::RunBelow(double quality, Means means)
 
 void BlockImprover::Run(Round round, const std::vector<std::uint8_t>& tried)
 {
+  this->Bad = WantedQuality(this->Limits, round);
   for (std::size_t i = 0; i < this->TrianglesAtFirst; ++i)
   {
     if (tried[this->Block.Triangles[i]] == 0)
     {
       this->Want(static_cast<Index>(i));
+      if (this->Block.IsFree(static_cast<Index>(i)))
+      {
+        this->Asked.push_back(static_cast<Index>(i));
+      }
     }
   }
   if (round == Round::First)
@@ -326,17 +337,83 @@ void BlockImprover::RunFirst()
   }
 }
 
+/// Moves corners of a triangle away from planes that they are pressed onto. Whether one was.
+bool BlockImprover::Lift(Index triangle)
+{
+  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+  {
+    if (this->Finder.FindLift(this->Mesh.Corners.VertexOf(corner), this->Found))
+    {
+      this->Apply(this->Found);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Lets the ends of a short side of a triangle become one, or opens a fold at a side. Whether
+/// something was done.
+bool BlockImprover::Unfold(Index triangle)
+{
+  const CornerTable& corners = this->Mesh.Corners;
+  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+  {
+    const Index across = corners.OppositeOf(corner);
+    if (corners.IsCurve(corner) || !this->Block.IsFree(across / 3))
+    {
+      continue;
+    }
+    const bool isShort = this->State.IsShort(corner);
+    if (!isShort && !IsFolded(corners, this->Mesh.Points, corner))
+    {
+      continue;
+    }
+    if (isShort ? this->Finder.FindMerge(corner, this->Found)
+                : this->Finder.FindUnfolding(corner, this->Found))
+    {
+      this->Apply(this->Found);
+      return true;
+    }
+    this->CutShort[triangle] = this->Finder.WasCutShort() ? 1 : 0;
+  }
+  return false;
+}
+
+/// Opens folds, also those that are left beside what was changed.
+void BlockImprover::Unfold()
+{
+  std::size_t work = MaxWork * this->Asked.size();
+  while (!this->Asked.empty() && work > 0)
+  {
+    const Index triangle = this->Asked.back();
+    this->Asked.pop_back();
+    if (this->Mesh.Corners.IsAlive(3 * triangle) &&
+      (this->Lift(triangle) || this->Unfold(triangle)))
+    {
+      --work;
+      for (const Index changed : this->Found.Change.Removed)
+      {
+        if (this->Mesh.Corners.IsAlive(3 * changed) && this->Block.IsFree(changed))
+        {
+          this->Asked.push_back(changed);
+        }
+      }
+    }
+  }
+}
+
 void BlockImprover::RunLast()
 {
+  this->State.Slack = MoreForLast;
+  this->Unfold();
   this->State.Slack = MoreForWorst;
   this->State.LeastCosine = MostTurnOfWorst;
   this->RunBelow(QualityOf(WorstBound, this->Limits.SmallAngle), Means::Moves);
   this->State.LeastOfCollapse = LeastGain; // else it might undo splits for ever
-  const double wanted = QualityOf(SplitBound, this->Limits.SmallAngle);
-  this->RunBelow(wanted, Means::Splits);
+  this->RunBelow(this->Bad, Means::Splits);
   this->State.Slack = MoreForLast;
   this->ForgetFailures();
-  this->RunBelow(wanted, Means::Beside);
+  this->RunBelow(this->Bad, Means::Beside);
   this->State.LeastCosine = AnyTurn;
   this->ForgetFailures();
   this->RunBelow(QualityOf(FoldBound, this->Limits.SmallAngle), Means::Beside);

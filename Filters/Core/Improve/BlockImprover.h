@@ -32,15 +32,20 @@ public:
   /// The samples of the block, at the end.
   SurfaceSamples TakeSamples() { return std::move(this->State.Samples); }
 
-  /// Of each triangle whether it or anything beside it has changed.
-  std::vector<std::uint8_t> ListTouched() const;
+  /// Of each triangle whether it is to be looked at once more, where the block is another one: it or
+  /// anything beside it has changed, and something around it is frozen, or nothing helped it, but
+  /// what would have left the block might.
+  std::vector<std::uint8_t> ListAgain() const;
 
   /// Triangles of less quality are to be improved.
-  static double WantedQuality(const ImprovementLimits& limits);
+  static double WantedQuality(const ImprovementLimits& limits, Round round);
 
 private:
   void RunFirst();
   void RunLast();
+  void Unfold();
+  bool Unfold(Index triangle);
+  bool Lift(Index triangle);
   void RunBelow(double quality, Means means);
   std::vector<Index> ListWorse(double quality, Means means);
   Index LastTouch(Index triangle) const;
@@ -55,7 +60,7 @@ private:
 
   ImprovementLimits Limits;
   std::size_t MostNew;
-  double Bad; ///< WantedQuality
+  double Bad = 0.0; ///< WantedQuality
   const MeshBlock& Block;
   ImprovableMesh& Mesh; ///< that of the block
   ImprovementState State;
@@ -65,11 +70,14 @@ private:
   std::vector<Index> TouchedAt; ///< of each point: the last operation beside it
   /// Of each triangle: when nothing helped it, by Means.
   std::vector<std::array<Index, MeansCount>> FailedAt;
-  Index Listed = 0;            ///< counts lists of open triangles
+  std::vector<std::uint8_t>
+    CutShort;       ///< of each triangle: whether what might help it would leave the block
+  Index Listed = 0; ///< counts lists of open triangles
   std::vector<Index> ListedAt; ///< of each triangle: the last one that it is in
   std::vector<Index> Open;     ///< triangles to be looked at
   std::vector<std::uint8_t> IsWanted;
   std::vector<Index> Wanted; ///< triangles that have been to be looked at
+  std::vector<Index> Asked;  ///< triangles that are free and were not tried, with folds
   std::size_t TrianglesAtFirst;
 };
 }

@@ -93,12 +93,23 @@ bool OperationFinder::IsCavitySimple() const
   return true;
 }
 
+/// Whether both ends of a corner's edge may.
+bool OperationFinder::MayMove(Index corner) const
+{
+  const CornerTable& corners = this->State.Mesh.Corners;
+  return std::min(corners.StartOf(corner), corners.EndOf(corner)) >= this->State.Block.Kept;
+}
+
 /// Looks at splits of the two longer sides of a triangle.
 void OperationFinder::TrySplits(Index triangle, LocalOperation& best)
 {
   const CornerTable& corners = this->State.Mesh.Corners;
   std::array<std::pair<double, Index>, 3> sides = this->SidesOf(triangle);
   const double shortest = std::sqrt(sides[0].first);
+  if (this->State.IsShort(sides[0].second) && this->MayMove(sides[0].second))
+  {
+    return; // splits would make triangles as small as this side, and hundreds around them
+  }
   for (const int i : { 2, 1 })
   {
     const double length = std::sqrt(sides[i].first);
@@ -128,8 +139,13 @@ void OperationFinder::TrySplit(Index corner, double share, LocalOperation& best)
   const Point3 place = Between(this->State.At(start), this->State.At(end), share);
   LocalOperation split{ LocalOperation::Kind::Split, corner, -1,
     this->State.MoveIntoBounds(start, place), 0.0 };
-  if (this->WasRefused(split) || !this->State.Block.HasInside(split.Place))
+  if (this->WasRefused(split))
   {
+    return;
+  }
+  if (!this->State.Block.HasInside(split.Place))
+  {
+    this->IsCutShort = true;
     return;
   }
   this->SpanCavity(corner);

@@ -126,11 +126,16 @@ void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals
     return;
   }
   const std::size_t count = all.Points.size();
-  std::vector<Point3> normalAt = ListNormals(normals, patches, geometry.Graph.Count(), count);
-  ImprovableMesh mesh{ CornerTable::WithoutLinks(static_cast<Index>(count), all.Triangles),
-    std::move(all.Points), std::move(normalAt), ListPlain(patches), geometry.Graph.Count() };
-  all = {};
-  MeshImprover(geometry.Grid, limits, execution, mesh).Run();
-  SetImproved(mesh.Points, count, ListLeft(mesh), patches);
+  TrianglesLeft left;
+  {
+    std::vector<Point3> normalAt = ListNormals(normals, patches, geometry.Graph.Count(), count);
+    ImprovableMesh mesh{ CornerTable::WithoutLinks(static_cast<Index>(count), all.Triangles),
+      std::move(all.Points), std::move(normalAt), ListPlain(patches), geometry.Graph.Count() };
+    all = {};
+    MeshImprover(geometry.Grid, limits, execution, mesh).Run();
+    left = ListLeft(mesh);
+    all.Points = std::move(mesh.Points);
+  } // the rest of the mesh takes as much memory as what comes of it
+  SetImproved(all.Points, count, left, patches);
 }
 }

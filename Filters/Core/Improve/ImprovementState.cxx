@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Improve/ImprovementState.h"
 
+#include "Core/Base/Vectors.h"
+
 #include <algorithm>
 
 namespace orthoslices
 {
 namespace
 {
+/// Sides are short below that share of the tolerance.
+constexpr double ShortSide = 0.05;
+
 /// The boxes of all triangles that are part of the surface; others are empty.
 std::vector<Box3> BoxesOfParts(const ImprovableMesh& mesh)
 {
@@ -35,6 +40,15 @@ ImprovementState::ImprovementState(
     this->Qualities[triangle] =
       this->IsPart(triangle) ? SquaredSine(this->PlacesOf(triangle)) : 1.0;
   }
+}
+
+bool ImprovementState::IsShort(Index corner) const
+{
+  const CornerTable& corners = this->Mesh.Corners;
+  const double bound =
+    ShortSide * this->Samples.ToleranceOfSide(corner / 3, corners.OppositeOf(corner) / 3);
+  return SquaredDistance(this->At(corners.StartOf(corner)), this->At(corners.EndOf(corner))) <
+    bound * bound;
 }
 
 bool ImprovementState::Update(Index triangle)

@@ -32,6 +32,8 @@ struct ImprovementState
     const CornerTable& corners = this->Mesh.Corners;
     return corners.IsAlive(3 * triangle) && !this->Mesh.Borders.IsBeyond(corners, triangle);
   }
+  /// Whether the edge of a corner is so short against the tolerance that its ends should be one point.
+  bool IsShort(Index corner) const;
   /// Looks at a triangle, which has changed. Whether it is part of the surface.
   bool Update(Index triangle);
   /// A place for a point, or for one beside it, within the bounds of the surface.

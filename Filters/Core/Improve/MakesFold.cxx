@@ -11,8 +11,8 @@ namespace orthoslices
 {
 namespace
 {
-/// The cosine of the angle between the normals of triangles that enclose five degrees.
-constexpr double FoldCosine = -0.9962;
+/// The cosine of the angle between the normals of triangles that enclose ten degrees.
+constexpr double FoldCosine = -0.9848;
 
 /// A side of a triangle, by the places of its ends, the one with the smaller number first.
 struct Side
@@ -172,6 +172,26 @@ private:
   const SheetBorders& Borders;
   std::vector<Side> Sides;
 };
+}
+
+FoldChange MeasureFolds(const CornerTable& corners, const std::vector<Point3>& points,
+  const SurfaceChange& change, const SheetBorders& borders)
+{
+  SidesAround sides(corners, points, change, borders);
+  return { sides.SharpestBefore(), sides.SharpestAfter() };
+}
+
+bool IsFolded(const CornerTable& corners, const std::vector<Point3>& points, Index corner)
+{
+  const auto areaAt = [&](Index at)
+  {
+    return AreaOf(
+      { points[corners.VertexOf(at)], points[corners.StartOf(at)], points[corners.EndOf(at)] });
+  };
+  const Point3 own = areaAt(corner), across = areaAt(corners.OppositeOf(corner));
+  const double product = Dot(own, across);
+  return product < 0.0 &&
+    product * product > FoldCosine * FoldCosine * Dot(own, own) * Dot(across, across);
 }
 
 bool MakesFold(const CornerTable& corners, const std::vector<Point3>& points,

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Improve/MeshImprover.h"
 
+#include "Core/Improve/MakesFold.h"
+#include "Core/Improve/PressedPoints.h"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -45,8 +48,8 @@ struct MeshImprover::Piece
 {
   std::unique_ptr<MeshBlock> Block;
   std::optional<SurfaceSamples> Samples;
-  std::vector<std::uint8_t> Touched; ///< of each triangle: whether something beside it has changed
-  std::vector<Index> Pending;        ///< triangles that are bad and were not tried
+  std::vector<std::uint8_t> Again; ///< of each triangle: see BlockImprover::ListAgain
+  std::vector<Index> Pending;      ///< triangles that are bad and were not tried
 };
 
 MeshImprover::MeshImprover(const SpatialGrid& grid, const ImprovementLimits& limits,
@@ -70,7 +73,45 @@ bool MeshImprover::IsPending(Index triangle) const
     return false;
   }
   const auto at = [&](Index i) { return this->Mesh.Points[corners.VertexOf(3 * triangle + i)]; };
-  return SquaredSine({ at(0), at(1), at(2) }) < BlockImprover::WantedQuality(this->Limits);
+  return SquaredSine({ at(0), at(1), at(2) }) < this->Wanted ||
+    (this->Now == Round::Last && (this->HasFold(triangle) || this->HasPressed(triangle)));
+}
+
+/// Whether a triangle lies next to a plane, and a corner of it is inside a patch.
+bool MeshImprover::HasPressed(Index triangle) const
+{
+  const double distance = PressedShare * this->Samples.ToleranceInside();
+  const Box3 box = BoxOfPart(this->Mesh, triangle);
+  const Point3 extent = box.High - box.Low;
+  if (!(std::min({ extent[0], extent[1], extent[2] }) < 2.0 * distance))
+  {
+    return false;
+  }
+  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+  {
+    const Index point = this->Mesh.Corners.VertexOf(corner);
+    if (point >= this->Mesh.FirstInside &&
+      FindPressing(this->Grid, this->Mesh.Points[point], distance).Axis >= 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether a triangle is folded onto one with a greater number, if it has been in a block.
+bool MeshImprover::HasFold(Index triangle) const
+{
+  const CornerTable& corners = this->Mesh.Corners;
+  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
+  {
+    if (corners.OppositeOf(corner) > corner && !corners.IsCurve(corner) &&
+      IsFolded(corners, this->Mesh.Points, corner))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Lists all triangles that are to be improved, as none was tried in this round.
@@ -133,6 +174,8 @@ void MeshImprover::Run()
 
 void MeshImprover::Run(Round round, const Box3& around, double side)
 {
+  this->Now = round;
+  this->Wanted = BlockImprover::WantedQuality(this->Limits, round);
   this->ListPending();
   const Point3 extent = this->Pending.empty() ? Point3{} : around.High - around.Low;
   const double whole = std::max({ extent[0], extent[1], extent[2] });
@@ -154,7 +197,7 @@ void MeshImprover::Run(Round round, const Box3& around, double side)
 /// Improves what lies within blocks.
 void MeshImprover::RunIn(const BlockGrid& blocks, Round round)
 {
-  const BlockLists lists = ListBlocks(blocks, this->Mesh, this->Pending, this->Execute);
+  const BlockLists lists = ListBlocks(blocks, this->Mesh, this->Pending, this->Execute, this->Runs);
   for (std::size_t first = 0; first < lists.Count(); first += BlocksTogether)
   {
     std::vector<Piece> pieces(std::min(BlocksTogether, lists.Count() - first));
@@ -218,7 +261,7 @@ void MeshImprover::Improve(const Box3& box, const BlockCells& cells, const Index
     this->Grid, this->Limits, this->MostNewIn(*piece.Block), *piece.Block, this->Samples);
   improver.Run(round, this->Tried);
   piece.Samples.emplace(improver.TakeSamples());
-  piece.Touched = improver.ListTouched();
+  piece.Again = improver.ListAgain();
 }
 
 /// Gives the new points and triangles of pieces their numbers.
@@ -258,7 +301,8 @@ void MeshImprover::PutBack(Piece& piece)
   const ImprovableMesh& mesh = block.Mesh;
   this->Mesh.Corners.PutBack({ mesh.Corners, block.Triangles, block.Points, block.FirstInner });
   this->Samples.PutBack(*piece.Samples, block);
-  for (std::size_t i = static_cast<std::size_t>(block.FirstInner); i < block.Points.size(); ++i)
+  // Frozen points are as they were, and other pieces may look at them at the same time.
+  for (std::size_t i = static_cast<std::size_t>(block.FirstFree); i < block.Points.size(); ++i)
   {
     const Index point = block.Points[i];
     this->Mesh.Points[point] = mesh.Points[i];
@@ -284,7 +328,7 @@ void MeshImprover::PutBack(Piece& piece)
       continue;
     }
     std::uint8_t& tried = this->Tried[block.Triangles[i]];
-    tried = block.IsFree(triangle) ? 1 : piece.Touched[i] != 0 ? 0 : tried;
+    tried = piece.Again[i] != 0 ? 0 : block.IsFree(triangle) ? 1 : tried;
     if (this->IsPending(block.Triangles[i]))
     {
       piece.Pending.push_back(block.Triangles[i]);

@@ -39,6 +39,8 @@ private:
   double SideOfBlocks() const;
   void ListPending();
   bool IsPending(Index triangle) const;
+  bool HasFold(Index triangle) const;
+  bool HasPressed(Index triangle) const;
   void ListPendingOf(const std::vector<Piece>& pieces);
   void Improve(const Box3& box, const BlockCells& cells, const Index* begin, const Index* end,
     Round round, Piece& piece) const;
@@ -52,6 +54,9 @@ private:
   ImprovableMesh& Mesh;
   Index TrianglesAtFirst;
   SurfaceSamples Samples;
+  TriangleRuns Runs;
+  Round Now = Round::First;
+  double Wanted = 0.0;             ///< triangles of less quality are to be improved in this round
   std::vector<std::uint8_t> Tried; ///< of each triangle: whether it was looked at as it is
   std::vector<Index> Pending;      ///< bad triangles that were not
 };

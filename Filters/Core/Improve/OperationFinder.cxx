@@ -113,24 +113,23 @@ void OperationFinder::TryMove(Index point, LocalOperation& best)
   {
     return;
   }
-  Point3 middle{ 0.0, 0.0, 0.0 };
-  for (std::size_t i = 0; i < star.Corners.size(); ++i)
-  {
-    const Point3& next = star.Before[i][(star.Corners[i] + 1) % 3];
-    middle = middle + (1.0 / star.Corners.size()) * next;
-  }
   const Point3& from = this->State.At(point);
   const Point3 normal = Dot(this->State.Mesh.Normals[point], this->State.Mesh.Normals[point]) > 0.0
     ? this->State.Mesh.Normals[point]
     : Unit(star.Outwards);
+  const Point3 middle = star.Middle();
   const Point3 along = (middle - from) - Dot(middle - from, normal) * normal;
   for (const double step : { 1.0, 0.6, 0.3 })
   {
     const Point3 place = this->State.MoveIntoBounds(point, from + step * along);
     double quality;
-    if (!this->State.Block.HasInside(place) ||
-      !star.Try({ place, -1, std::max(floor, best.Quality), this->State.LeastCosine }, quality))
+    if (!star.Try({ place, -1, std::max(floor, best.Quality), this->State.LeastCosine }, quality))
     {
+      continue;
+    }
+    if (!this->State.Block.HasInside(place))
+    {
+      this->IsCutShort = true;
       continue;
     }
     const LocalOperation move{ LocalOperation::Kind::Move, -1, point, place,
@@ -164,8 +163,8 @@ void OperationFinder::DescribeStar(Index point, Index gone, Index becomes)
     });
 }
 
-/// Whether all that a change adds stays within the block.
-bool OperationFinder::StaysInside() const
+/// Whether all that a change adds stays within the block. Notes it if not.
+bool OperationFinder::StaysInside()
 {
   Box3 box;
   for (const std::array<Index, 3>& triangle : this->Change.Added)
@@ -175,11 +174,13 @@ bool OperationFinder::StaysInside() const
       box.Add(point == this->Change.Point ? this->Change.Place : this->State.At(point));
     }
   }
-  return this->State.Block.Cells.Cover(box);
+  const bool stays = this->State.Block.Cells.Cover(box);
+  this->IsCutShort = this->IsCutShort || !stays;
+  return stays;
 }
 
-/// Whether an operation leaves triangles apart, also those beside each other.
-bool OperationFinder::IsAllowed(const LocalOperation& operation)
+/// Describes what an operation changes.
+void OperationFinder::Describe(const LocalOperation& operation)
 {
   const CornerTable& corners = this->State.Mesh.Corners;
   const Index corner = operation.Corner;
@@ -219,11 +220,19 @@ bool OperationFinder::IsAllowed(const LocalOperation& operation)
         { this->Change.Point, corners.StartOf(side), corners.EndOf(side) });
     }
   }
+}
+
+/// Whether an operation leaves triangles apart, and, unless it may make folds, those beside each
+/// other, too.
+bool OperationFinder::IsAllowed(const LocalOperation& operation, bool mayFold)
+{
+  const ImprovableMesh& mesh = this->State.Mesh;
+  this->Describe(operation);
   return this->StaysInside() &&
     (operation.What == LocalOperation::Kind::Collapse ||
       operation.What == LocalOperation::Kind::Move ||
-      this->State.Samples.AreNear(this->Change, this->State.Mesh.Points, this->State.Slack)) &&
-    !MakesFold(corners, this->State.Mesh.Points, this->Change, this->State.Mesh.Borders) &&
+      this->State.Samples.AreNear(this->Change, mesh.Points, this->State.Slack)) &&
+    (mayFold || !MakesFold(mesh.Corners, mesh.Points, this->Change, mesh.Borders)) &&
     this->Guard.Allows(this->Change);
 }
 
@@ -316,6 +325,7 @@ LocalOperation OperationFinder::FindBest(Index triangle, Means means)
 bool OperationFinder::Find(Index triangle, Means means, LocalOperation& found)
 {
   this->Refused.clear();
+  this->IsCutShort = false;
   for (PointStar& star : this->Stars)
   {
     star.Point = -1;

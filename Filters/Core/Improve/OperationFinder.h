@@ -67,7 +67,30 @@ public:
   /// False if there is none.
   bool Find(Index triangle, Means means, LocalOperation& found);
 
+  /// Finds what opens the fold at a corner's edge most. Triangles may turn as they like, but get no
+  /// small angles. False if there is none.
+  bool FindUnfolding(Index corner, LocalOperation& found);
+
+  /// Finds how the ends of a corner's edge, which is short, become one point; whatever fold that
+  /// makes was nearly there before, with that edge as its rim. False if they cannot.
+  bool FindMerge(Index corner, LocalOperation& found);
+
+  /// Finds how far a point that is pressed onto a plane of the grid may move away from it. False if
+  /// it is not, or cannot.
+  bool FindLift(Index point, LocalOperation& found);
+
+  /// Whether something that might have helped was left out, when it was looked for last, as it would
+  /// have left the block.
+  bool WasCutShort() const { return this->IsCutShort; }
+
 private:
+  /// An operation that opens a fold so far.
+  struct Unfolding
+  {
+    LocalOperation Operation;
+    double Cosine; ///< see FoldChange
+  };
+
   LocalOperation FindBest(Index triangle, Means means);
   void TryFlips(Index triangle, LocalOperation& best);
   void TryFlip(Index corner, LocalOperation& best) const;
@@ -77,13 +100,20 @@ private:
   void TrySplits(Index triangle, LocalOperation& best);
   void TrySplit(Index corner, double share, LocalOperation& best);
   std::array<std::pair<double, Index>, 3> SidesOf(Index triangle) const;
+  bool MayMove(Index corner) const;
   void SpanCavity(Index corner);
   void WidenCavity(const Point3& place);
   bool IsCavitySimple() const;
   PointStar& StarOf(Index point);
   bool IsNear(const PointStar& star) const;
-  bool StaysInside() const;
-  bool IsAllowed(const LocalOperation& operation);
+  bool StaysInside();
+  bool IsAllowed(const LocalOperation& operation, bool mayFold = false);
+  void Describe(const LocalOperation& operation);
+  void ListUnfolding(Index corner);
+  void AddUnfolding(LocalOperation operation);
+  void AddFlip(Index corner);
+  void AddCollapse(Index corner);
+  void AddMoves(Index point, const Point3& across);
   void DescribeStar(Index point, Index gone, Index becomes);
   bool WasRefused(const LocalOperation& operation) const;
 
@@ -93,6 +123,8 @@ private:
   SurfaceChange Change;           ///< that is asked for
   std::vector<LocalOperation> Refused;
   std::vector<Index> Cavity, Flipped; ///< see LocalOperation, of a split that is looked at
+  std::vector<Unfolding> Unfoldings;  ///< that are looked at
+  bool IsCutShort = false;
 };
 }
 

@@ -61,6 +61,17 @@ void PointStar::Set(const CornerTable& corners, const std::vector<Point3>& point
     });
 }
 
+Point3 PointStar::Middle() const
+{
+  Point3 middle{ 0.0, 0.0, 0.0 };
+  for (std::size_t i = 0; i < this->Corners.size(); ++i)
+  {
+    const Point3& next = this->Before[i][(this->Corners[i] + 1) % 3];
+    middle = middle + (1.0 / this->Corners.size()) * next;
+  }
+  return middle;
+}
+
 bool PointStar::Try(const StarChange& change, double& quality)
 {
   const std::size_t count = this->Corners.size();

@@ -46,6 +46,9 @@ public:
    */
   bool Try(const StarChange& change, double& quality);
 
+  /// The middle of the points around it.
+  Point3 Middle() const;
+
   Index Point = -1;
   Point3 Outwards{};                   ///< the direction of the normal
   double Quality = 0.0;                ///< the least SquaredSine of the triangles as they are

@@ -34,6 +34,9 @@ public:
   /// How far the side between two triangles may move.
   double ToleranceOfSide(Index triangle, Index other) const;
 
+  /// How far the surface may move inside plain patches.
+  double ToleranceInside() const { return this->PlainTolerance; }
+
   /// Whether the samples on a star, and the middles of its sides, are near the triangles that would
   /// take its place: within `slack` tolerances.
   bool AreNear(const PointStar& star, double slack) const;

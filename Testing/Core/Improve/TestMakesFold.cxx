@@ -23,7 +23,8 @@ TEST(MakesFold, IfTrianglesNearlyLieOnEachOther)
 {
   const CornerTable corners = Tetrahedron();
   EXPECT_FALSE(MakesFold(corners, Points, MoveTo({ 0.3, 0.3, 0.5 })));
-  EXPECT_FALSE(MakesFold(corners, Points, MoveTo({ 0.3, 0.3, 0.04 }))); // encloses 5.7 degrees
+  EXPECT_FALSE(MakesFold(corners, Points, MoveTo({ 0.3, 0.3, 0.06 }))); // encloses 11 degrees
+  EXPECT_TRUE(MakesFold(corners, Points, MoveTo({ 0.3, 0.3, 0.04 })));  // 7.6 degrees
   EXPECT_TRUE(MakesFold(corners, Points, MoveTo({ 0.3, 0.3, 0.02 })));
   EXPECT_TRUE(MakesFold(corners, Points, MoveTo({ 0.3, 0.3, 1e-17 })));
 }
@@ -46,4 +47,18 @@ TEST(MakesFold, AtTheSidesOfTrianglesThatStay)
   EXPECT_FALSE(MakesFold(corners, Points, split));
   split.Place = { 0.32, 0.1, 0.33 }; // close to the triangle above the side from 0 to 1
   EXPECT_TRUE(MakesFold(corners, Points, split));
+}
+
+TEST(IsFolded, IfTrianglesAtAnEdgeEncloseLessThanTenDegrees)
+{
+  const CornerTable corners = Tetrahedron();
+  std::vector<Point3> points = Points;
+  EXPECT_FALSE(IsFolded(corners, points, 4)); // between the bottom and what stands on it
+  points[3] = { 0.3, 0.3, 0.04 };
+  const Index edge = corners.FindEdge(0, 1);
+  EXPECT_TRUE(IsFolded(corners, points, edge));
+  EXPECT_TRUE(IsFolded(corners, points, corners.OppositeOf(edge)));
+  EXPECT_FALSE(IsFolded(corners, points, corners.FindEdge(0, 3)));
+  points[3] = { 0.3, 0.3, 0.0 };
+  EXPECT_TRUE(IsFolded(corners, points, edge));
 }

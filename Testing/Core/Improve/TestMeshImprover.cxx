@@ -3,6 +3,7 @@
 #include "Core/Improve/MeshImprover.h"
 
 #include "Core/Base/TriangleDistance.h"
+#include "Core/Improve/MakesFold.h"
 #include "Core/Surface/TriangleMeasures.h"
 #include "Support/CheckEmbedding.h"
 #include "Support/CheckSurface.h"
@@ -225,4 +226,111 @@ TEST(MeshImprover, BlocksAreTheSameForAnyNumberOfThreads)
   EXPECT_EQ(one.Points, many.Points);
   EXPECT_EQ(one.Corners.ListTriangles(), many.Corners.ListTriangles());
   EXPECT_EQ(one.Origins, many.Origins);
+}
+
+namespace
+{
+/// A cone over a polygon that turns back, and a nearly flat one on it: from its apex the side that
+/// turns back is seen from behind, so triangles lie on each other. All are well shaped.
+PlainMesh FoldedFan()
+{
+  constexpr double degree = 3.14159265358979323846 / 180.0;
+  const std::vector<double> angles{ 0.0, 60.0, 30.0, 120.0, 180.0, 240.0, 300.0 };
+  PlainMesh mesh;
+  const Index count = static_cast<Index>(angles.size());
+  for (Index i = 0; i < count; ++i)
+  {
+    const double radius = i == 2 ? 0.6 : 1.0;
+    mesh.Points.push_back(
+      { radius * std::cos(degree * angles[i]), radius * std::sin(degree * angles[i]), 0.0 });
+    mesh.Triangles.push_back({ i, (i + 1) % count, count });
+    mesh.Triangles.push_back({ (i + 1) % count, i, count + 1 });
+  }
+  mesh.Points.push_back({ 0.0, 0.0, 1e-4 });
+  mesh.Points.push_back({ 0.0, 0.0, -1.0 });
+  return mesh;
+}
+
+/// A wedge of 4.6 degrees, blunt at one end of its edge by a side between the first two points.
+PlainMesh BluntWedge(double width)
+{
+  PlainMesh mesh;
+  mesh.Points = { { 0.0, 0.0, 0.5 * width }, { 0.0, 0.0, -0.5 * width }, { 1.0, 0.0, 0.0 },
+    { 0.5, 1.0, 0.04 }, { 0.5, 1.0, -0.04 }, { 0.2, 0.5, 0.0 } };
+  mesh.Triangles = { { 0, 2, 3 }, { 1, 4, 2 }, { 0, 1, 2 }, { 2, 4, 3 }, { 0, 3, 5 }, { 3, 4, 5 },
+    { 4, 1, 5 }, { 1, 0, 5 } };
+  return mesh;
+}
+
+int CountFolds(const ImprovableMesh& mesh)
+{
+  int folds = 0;
+  for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
+  {
+    folds += mesh.Corners.IsAlive(corner) && mesh.Corners.OppositeOf(corner) > corner &&
+        IsFolded(mesh.Corners, mesh.Points, corner)
+      ? 1
+      : 0;
+  }
+  return folds;
+}
+}
+
+//----------------------------------------------------------------------------
+/// Triangles that lie on each other are well shaped, but no mesh generator takes them.
+TEST(MeshImprover, FoldsAreOpened)
+{
+  const PlainMesh before = FoldedFan();
+  ImprovableMesh mesh = Improvable(before);
+  mesh.Normals.assign(before.Points.size(), { 0.0, 0.0, 0.0 });
+  EXPECT_EQ(CountFolds(mesh), 2);
+  ImprovementLimits limits{ 0.2, 22.0 };
+  limits.Kept = static_cast<Index>(before.Points.size());
+  Improve(limits, mesh);
+  EXPECT_EQ(CountFolds(mesh), 0);
+  EXPECT_EQ(DescribeFlaws(Plain(mesh)), "");
+  EXPECT_EQ(mesh.Points, before.Points);
+}
+
+//----------------------------------------------------------------------------
+/// The ends of a side that is tiny against the tolerance become one, though this makes a fold: that
+/// was there before, but for its rim.
+TEST(MeshImprover, TinySidesGo)
+{
+  const PlainMesh before = BluntWedge(1e-5);
+  ImprovableMesh mesh = Improvable(before);
+  mesh.Normals.assign(before.Points.size(), { 0.0, 0.0, 0.0 });
+  const double tolerance = 0.002;
+  EXPECT_LT(QualityOf(Plain(mesh)).SmallestAngle, 0.001);
+  Improve({ tolerance, 22.0 }, mesh);
+  EXPECT_GT(QualityOf(Plain(mesh)).SmallestAngle, 2.0);
+  EXPECT_EQ(DescribeFlaws(Plain(mesh)), "");
+  EXPECT_LT(DistanceOf(before.Points, Plain(mesh)), 1.7001 * tolerance);
+}
+
+//----------------------------------------------------------------------------
+/// The apex of a nearly flat cone on a plane: what comes through the plane beside it nearly touched it.
+TEST(MeshImprover, PressedPointsMoveAwayFromPlanes)
+{
+  PlainMesh before;
+  for (Index i = 0; i < 6; ++i)
+  {
+    const double angle = 3.14159265358979323846 / 3.0 * i;
+    before.Points.push_back({ std::cos(angle), std::sin(angle), 0.0 });
+    before.Triangles.push_back({ i, (i + 1) % 6, 6 });
+    before.Triangles.push_back({ (i + 1) % 6, i, 7 });
+  }
+  before.Points.push_back({ 0.0, 0.0, 1e-6 });
+  before.Points.push_back({ 0.0, 0.0, -1.0 });
+  ImprovableMesh mesh = Improvable(before);
+  mesh.FirstInside = 6;
+  SpatialGrid grid;
+  grid.Planes[2] = { -2.0, 0.0 };
+  grid.Lowest = { -10.0, -10.0, -10.0 };
+  grid.Highest = { 10.0, 10.0, 10.0 };
+  const double tolerance = 0.01;
+  MeshImprover(grid, { tolerance, 22.0 }, Execution(), mesh).Run();
+  EXPECT_GT(mesh.Points[6][2], 0.5 * tolerance);
+  EXPECT_LT(mesh.Points[6][2], 1.7001 * tolerance);
+  EXPECT_EQ(DescribeFlaws(Plain(mesh)), "");
 }
