@@ -225,7 +225,7 @@
  * what fails before it on one process alone is not heard of, and the others wait. With labels,
  * virtual slices, curvatures, BorderContours = LEAVE_OPEN_AT_BORDER or contours on planes of no
  * family each process makes the whole and keeps its part: the same result, without gain in time.
- * With AutomaticAccuracy or Accuracy, each improves all triangles, and has the memory for them.
+ * With AutomaticAccuracy or Accuracy, each has the memory for all triangles.
  *
  * @section Guarantees Guarantees
  * G1 to G7 in Core/Reconstruct.h: closed (but for BorderContours = LEAVE_OPEN_AT_BORDER),

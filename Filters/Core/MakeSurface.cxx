@@ -303,7 +303,8 @@ void ImproveIfLight(double accuracy, Pass& pass)
   {
     ImprovementLimits limits = LimitsOf(accuracy, result.Grid);
     limits.Kept = pass.Settings.Patching.KeepContours ? result.Graph.Count() : 0;
-    ImproveSurface(GeometryOf(result), result.Normals, limits, pass.Execute, result.Surface);
+    ImproveSurface(
+      GeometryOf(result), result.Normals, limits, pass.Execute, result.Surface, ProcessesOf(pass));
     if (result.Part)
     {
       result.Part = KeepPart(*pass.Settings.Processes, result.Surface);

@@ -23,8 +23,8 @@ bool DrawGraph(Pass& pass);
 bool ConnectContours(Pass& pass);
 
 /// Has FillCycles fill a part of the cycles alone, if several processes make the surface together
-/// (Options::Processes) and it can be divided. If triangles are to be few, all of them are improved
-/// by each process, which keeps its part of them afterwards. REQUIRES: ConnectContours.
+/// (Options::Processes) and it can be divided. If triangles are to be few, processes improve all of
+/// them together, and each keeps its part of them afterwards. REQUIRES: ConnectContours.
 void DivideSurface(Pass& pass);
 
 /// The inside of the patches, and all triangles (section 5). False: stopped.

@@ -60,10 +60,41 @@ Box3 BoxAround(const BlockGrid& blocks, const ImprovableMesh& mesh, Index triang
   return { box.Low - all, box.High + all };
 }
 
+/// Fewer bad triangles are improved sooner than handed on.
+constexpr double LeastToDivide = 1000.0;
+
+/// Which process takes which block, by the number of triangles that are wanted in each.
+std::vector<int> DivideBlocks(
+  const std::vector<Index>& wantedIn, std::size_t together, const Ranks& ranks)
+{
+  std::vector<int> rank(wantedIn.size(), BlockLists::ByAll);
+  for (std::size_t first = 0; first < rank.size(); first += together)
+  {
+    const auto workOf = [&](std::size_t i) { return static_cast<double>(wantedIn[first + i]); };
+    const std::size_t count = std::min(together, rank.size() - first);
+    double work = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      work += workOf(i);
+    }
+    if (!ranks.AreSeveral() || work < LeastToDivide)
+    {
+      continue;
+    }
+    const std::vector<std::size_t> ofRanks = DivideWork(ranks.Count, count, workOf);
+    for (int r = 0; r < ranks.Count; ++r)
+    {
+      std::fill(rank.begin() + static_cast<std::ptrdiff_t>(first + ofRanks[r]),
+        rank.begin() + static_cast<std::ptrdiff_t>(first + ofRanks[r + 1]), r);
+    }
+  }
+  return rank;
+}
+
 /// Lists the blocks in which some triangles lie, and what is around these. Returns the places of
-/// blocks in that list; -1: not there.
+/// blocks in that list; -1: not there, or taken by another process.
 std::vector<Index> FindWanted(const BlockGrid& blocks, const ImprovableMesh& mesh,
-  const std::vector<Index>& wanted, BlockLists& lists)
+  const std::vector<Index>& wanted, std::size_t together, const Ranks& ranks, BlockLists& lists)
 {
   std::vector<Index> places(static_cast<std::size_t>(blocks.Count()), -1), blockOf;
   for (const Index triangle : wanted)
@@ -83,12 +114,19 @@ std::vector<Index> FindWanted(const BlockGrid& blocks, const ImprovableMesh& mes
       lists.Cells.push_back(blocks.CellsOf(lists.Blocks.back()));
     }
   }
+  std::vector<Index> wantedIn(lists.Count(), 0);
   for (std::size_t i = 0; i < wanted.size(); ++i)
   {
     if (blockOf[i] >= 0)
     {
       lists.Cells[places[blockOf[i]]].Add(BoxAround(blocks, mesh, wanted[i]));
+      ++wantedIn[places[blockOf[i]]];
     }
+  }
+  lists.Rank = DivideBlocks(wantedIn, together, ranks);
+  for (Index& place : places)
+  {
+    place = place >= 0 && lists.IsTakenBy(ranks.Rank, place) ? place : -1;
   }
   return places;
 }
@@ -120,7 +158,6 @@ public:
     {
       return;
     }
-    const std::size_t before = hits.size();
     const std::size_t first = run * TriangleRuns::Length;
     const std::size_t end = std::min(this->Runs.Count, first + TriangleRuns::Length);
     Box3 all;
@@ -131,7 +168,7 @@ public:
       this->ForHits(box, true, [&](Index place) { hits.push_back({ place, triangle }); });
       all.Add(box);
     }
-    around = hits.size() > before ? Everywhere() : all;
+    around = all;
   }
 
 private:
@@ -261,10 +298,11 @@ bool BlockCells::Cover(const Box3& box) const
 }
 
 BlockLists ListBlocks(const BlockGrid& blocks, const ImprovableMesh& mesh,
-  const std::vector<Index>& wanted, const Execution& execution, TriangleRuns& runs)
+  const std::vector<Index>& wanted, std::size_t together, const Ranks& ranks,
+  const Execution& execution, TriangleRuns& runs)
 {
   BlockLists lists;
-  const std::vector<Index> places = FindWanted(blocks, mesh, wanted, lists);
+  const std::vector<Index> places = FindWanted(blocks, mesh, wanted, together, ranks, lists);
   if (lists.Count() == 0)
   {
     return lists;

@@ -5,6 +5,7 @@
 
 #include "Core/Base/Box.h"
 #include "Core/Base/Execution.h"
+#include "Core/Base/Ranks.h"
 #include "Core/Base/Types.h"
 
 #include <vector>
@@ -111,15 +112,22 @@ void BlockGrid::ForBlocksAt(const Box3& box, Visit&& visit) const
   }
 }
 
-/// The triangles of some blocks.
+/// The triangles of some blocks. Several processes divide the blocks among themselves.
 struct BlockLists
 {
   std::vector<Index> Blocks;     ///< ascending
   std::vector<BlockCells> Cells; ///< of each block: where some triangles are, and around these
+  std::vector<int> Rank;         ///< of each block: which process takes it, or ByAll
   std::vector<std::size_t> Offsets;
-  std::vector<Index> Triangles; ///< those of block i from Offsets[i] on, ascending
+  std::vector<Index> Triangles; ///< those of block i from Offsets[i] on, ascending, if it is taken
 
   std::size_t Count() const { return this->Blocks.size(); }
+  bool IsTakenBy(int rank, std::size_t block) const
+  {
+    return this->Rank[block] == rank || this->Rank[block] == ByAll;
+  }
+
+  static constexpr int ByAll = -1; ///< where to hand on what comes of them would take longer
 };
 
 /**
@@ -138,14 +146,26 @@ struct TriangleRuns
     this->Count = triangles;
   }
 
+  /// A triangle has changed.
+  void Forget(Index triangle)
+  {
+    const std::size_t run = static_cast<std::size_t>(triangle) / Length;
+    if (run < this->Boxes.size())
+    {
+      this->Boxes[run] = Everywhere();
+    }
+  }
+
   std::size_t Count = 0;   ///< of triangles
-  std::vector<Box3> Boxes; ///< of runs; without end where triangles may have changed since
+  std::vector<Box3> Boxes; ///< of runs; without end where triangles have changed since
 };
 
-/// Lists the triangles around some, in the blocks in which these lie strictly. These may be changed
-/// from then on, and the runs say so.
+/// Lists the triangles around some, in the blocks in which these lie strictly and which this process
+/// takes. Of each `together` blocks, one behind the other, processes take about the same work, or all
+/// of them all.
 BlockLists ListBlocks(const BlockGrid& blocks, const ImprovableMesh& mesh,
-  const std::vector<Index>& wanted, const Execution& execution, TriangleRuns& runs);
+  const std::vector<Index>& wanted, std::size_t together, const Ranks& ranks,
+  const Execution& execution, TriangleRuns& runs);
 }
 
 #endif

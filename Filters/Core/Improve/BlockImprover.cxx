@@ -85,7 +85,7 @@ BlockImprover::BlockImprover(const SpatialGrid& grid, const ImprovementLimits& l
   , Mesh(block.Mesh)
   , State(grid, block, samples)
   , Finder(this->State)
-  , TouchedAt(this->Mesh.Points.size(), 1)
+  , TouchedAt(this->Mesh.Points.size(), AtFirst)
   , FailedAt(this->State.Qualities.size())
   , CutShort(this->State.Qualities.size(), 0)
   , ListedAt(this->State.Qualities.size(), 0)
@@ -227,20 +227,6 @@ Index BlockImprover::LastTouch(Index triangle) const
     touched = std::max(touched, this->TouchedAt[this->Mesh.Corners.VertexOf(corner)]);
   }
   return touched;
-}
-
-std::vector<std::uint8_t> BlockImprover::ListAgain() const
-{
-  std::vector<std::uint8_t> again;
-  again.reserve(this->State.Qualities.size());
-  for (Index triangle = 0; 3 * triangle < this->Mesh.Corners.CornerCount(); ++triangle)
-  {
-    const bool isOpen = this->Mesh.Corners.IsAlive(3 * triangle) &&
-      (this->Block.IsFree(triangle) ? this->CutShort[triangle] != 0
-                                    : this->LastTouch(triangle) > 1);
-    again.push_back(isOpen ? 1 : 0);
-  }
-  return again;
 }
 
 /// Whether anything beside a triangle has changed since nothing helped it.

@@ -29,13 +29,21 @@ public:
   /// whole.
   void Run(Round round, const std::vector<std::uint8_t>& tried);
 
-  /// The samples of the block, at the end.
-  SurfaceSamples TakeSamples() { return std::move(this->State.Samples); }
+  /// The samples of the block.
+  const SurfaceSamples& Samples() const { return this->State.Samples; }
 
-  /// Of each triangle whether it is to be looked at once more, where the block is another one: it or
-  /// anything beside it has changed, and something around it is frozen, or nothing helped it, but
-  /// what would have left the block might.
-  std::vector<std::uint8_t> ListAgain() const;
+  /// Whether a triangle that is there, or anything beside it, has changed.
+  bool HasChanged(Index triangle) const { return this->LastTouch(triangle) > AtFirst; }
+  /// Whether a point may have.
+  bool HasMoved(Index point) const { return this->TouchedAt[point] > AtFirst; }
+  /// Whether a triangle is to be looked at once more, where the block is another one: it has changed,
+  /// and something around it is frozen, or nothing helped it, but what would have left the block
+  /// might.
+  bool IsOpen(Index triangle) const
+  {
+    return this->Block.IsFree(triangle) ? this->CutShort[triangle] != 0
+                                        : this->HasChanged(triangle);
+  }
 
   /// Triangles of less quality are to be improved.
   static double WantedQuality(const ImprovementLimits& limits, Round round);
@@ -66,7 +74,8 @@ private:
   ImprovementState State;
   OperationFinder Finder;
   LocalOperation Found;
-  Index Now = 1;                ///< counts operations
+  static constexpr Index AtFirst = 1;
+  Index Now = AtFirst;          ///< counts operations
   std::vector<Index> TouchedAt; ///< of each point: the last operation beside it
   /// Of each triangle: when nothing helped it, by Means.
   std::vector<std::array<Index, MeansCount>> FailedAt;

@@ -118,7 +118,7 @@ void SetImproved(
 }
 
 void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals,
-  const ImprovementLimits& limits, const Execution& execution, Patches& patches)
+  const ImprovementLimits& limits, const Execution& execution, Patches& patches, const Ranks& ranks)
 {
   SurfaceTriangles all = ListTriangles(geometry, patches, execution);
   if (all.Triangles.empty())
@@ -132,7 +132,7 @@ void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals
     ImprovableMesh mesh{ CornerTable::WithoutLinks(static_cast<Index>(count), all.Triangles),
       std::move(all.Points), std::move(normalAt), ListPlain(patches), geometry.Graph.Count() };
     all = {};
-    MeshImprover(geometry.Grid, limits, execution, mesh).Run();
+    MeshImprover(geometry.Grid, limits, execution, mesh, ranks).Run();
     left = ListLeft(mesh);
     all.Points = std::move(mesh.Points);
   } // the rest of the mesh takes as much memory as what comes of it

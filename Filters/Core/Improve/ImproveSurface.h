@@ -38,11 +38,12 @@ void SetImproved(const std::vector<Point3>& points, std::size_t given, const Tri
  * edge or vertex: changed triangles are tested against all near them, and where any may meet, the
  * surface stays as it was around that place, farther and farther until none do. If that does not
  * come to an end soon, all of it stays. The triangles become Patches::Improved; those of each patch
- * stay those of that patch.
+ * stay those of that patch. Several processes, of which each has the whole surface, share the work.
  * REQUIRES: the patches are laid out as triangles.
  */
 void ImproveSurface(const CycleGeometry& geometry, const SurfaceNormals& normals,
-  const ImprovementLimits& limits, const Execution& execution, Patches& patches);
+  const ImprovementLimits& limits, const Execution& execution, Patches& patches,
+  const Ranks& ranks = Ranks());
 }
 
 #endif

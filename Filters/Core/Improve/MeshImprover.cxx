@@ -41,40 +41,50 @@ constexpr std::array<Division, 12> Divisions{ { { 1.0, 0.5 }, { 1.0, 0.0 }, { 0.
   { 0.5, 0.25 }, { 1.0, 0.75 }, { 1.0, 0.25 }, { 2.0, 0.5 }, { 2.0, 0.25 }, { 4.0, 0.5 },
   { 4.0, 0.25 }, { 16.0, 0.5 }, { 64.0, 0.5 } } };
 constexpr double All = 1.01; ///< of what is in one
+
+/// Which triangles are folded onto one with a greater number, if the mesh knows what is across edges.
+std::vector<std::uint8_t> ListFolded(const ImprovableMesh& mesh)
+{
+  const CornerTable& corners = mesh.Corners;
+  std::vector<std::uint8_t> folded(static_cast<std::size_t>(corners.CornerCount()) / 3, 0);
+  for (Index corner = 0; corner < corners.CornerCount(); ++corner)
+  {
+    if (corners.IsAlive(corner) && corners.OppositeOf(corner) > corner &&
+      !corners.IsCurve(corner) && IsFolded(corners, mesh.Points, corner))
+    {
+      folded[corner / 3] = 1;
+    }
+  }
+  return folded;
+}
 }
 
-/// A block and what comes of it.
-struct MeshImprover::Piece
-{
-  std::unique_ptr<MeshBlock> Block;
-  std::optional<SurfaceSamples> Samples;
-  std::vector<std::uint8_t> Again; ///< of each triangle: see BlockImprover::ListAgain
-  std::vector<Index> Pending;      ///< triangles that are bad and were not tried
-};
-
 MeshImprover::MeshImprover(const SpatialGrid& grid, const ImprovementLimits& limits,
-  const Execution& execution, ImprovableMesh& mesh)
+  const Execution& execution, ImprovableMesh& mesh, const Ranks& ranks)
   : Grid(grid)
   , Limits(limits)
   , Execute(execution)
   , Mesh(mesh)
+  , Processes(ranks)
   , TrianglesAtFirst(mesh.Corners.CornerCount() / 3)
   , Samples(mesh, limits)
-  , Tried(static_cast<std::size_t>(this->TrianglesAtFirst), 0)
 {
+  this->Marks.Tried.resize(static_cast<std::size_t>(this->TrianglesAtFirst), 0);
+  this->Marks.IsFolded = ListFolded(mesh);
 }
 
 bool MeshImprover::IsPending(Index triangle) const
 {
   const CornerTable& corners = this->Mesh.Corners;
-  if (this->Tried[triangle] != 0 || !corners.IsAlive(3 * triangle) ||
+  if (this->Marks.Tried[triangle] != 0 || !corners.IsAlive(3 * triangle) ||
     this->Mesh.Borders.IsBeyond(corners, triangle))
   {
     return false;
   }
   const auto at = [&](Index i) { return this->Mesh.Points[corners.VertexOf(3 * triangle + i)]; };
   return SquaredSine({ at(0), at(1), at(2) }) < this->Wanted ||
-    (this->Now == Round::Last && (this->HasFold(triangle) || this->HasPressed(triangle)));
+    (this->Now == Round::Last &&
+      (this->Marks.IsFolded[triangle] != 0 || this->HasPressed(triangle)));
 }
 
 /// Whether a triangle lies next to a plane, and a corner of it is inside a patch.
@@ -99,37 +109,22 @@ bool MeshImprover::HasPressed(Index triangle) const
   return false;
 }
 
-/// Whether a triangle is folded onto one with a greater number, if it has been in a block.
-bool MeshImprover::HasFold(Index triangle) const
-{
-  const CornerTable& corners = this->Mesh.Corners;
-  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
-  {
-    if (corners.OppositeOf(corner) > corner && !corners.IsCurve(corner) &&
-      IsFolded(corners, this->Mesh.Points, corner))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// Lists all triangles that are to be improved, as none was tried in this round.
 void MeshImprover::ListPending()
 {
-  this->Execute.For(this->Tried.size(),
+  this->Execute.For(this->Marks.Tried.size(),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        this->Tried[i] = 0;
-        this->Tried[i] = this->IsPending(static_cast<Index>(i)) ? 0 : 1;
+        this->Marks.Tried[i] = 0;
+        this->Marks.Tried[i] = this->IsPending(static_cast<Index>(i)) ? 0 : 1;
       }
     });
   this->Pending.clear();
-  for (std::size_t i = 0; i < this->Tried.size(); ++i)
+  for (std::size_t i = 0; i < this->Marks.Tried.size(); ++i)
   {
-    if (this->Tried[i] == 0)
+    if (this->Marks.Tried[i] == 0)
     {
       this->Pending.push_back(static_cast<Index>(i));
     }
@@ -186,42 +181,22 @@ void MeshImprover::Run(Round round, const Box3& around, double side)
     {
       break;
     }
-    this->RunIn(BlockGrid(around, division.Side * side, division.Shift), round);
+    this->RunIn(BlockGrid(around, division.Side * side, division.Shift));
   }
   if (!this->Pending.empty())
   {
-    this->RunIn(BlockGrid(around, All * whole, 1.0), round);
+    this->RunIn(BlockGrid(around, All * whole, 1.0));
   }
 }
 
 /// Improves what lies within blocks.
-void MeshImprover::RunIn(const BlockGrid& blocks, Round round)
+void MeshImprover::RunIn(const BlockGrid& blocks)
 {
-  const BlockLists lists = ListBlocks(blocks, this->Mesh, this->Pending, this->Execute, this->Runs);
+  const BlockLists lists = ListBlocks(
+    blocks, this->Mesh, this->Pending, BlocksTogether, this->Processes, this->Execute, this->Runs);
   for (std::size_t first = 0; first < lists.Count(); first += BlocksTogether)
   {
-    std::vector<Piece> pieces(std::min(BlocksTogether, lists.Count() - first));
-    this->Execute.For(pieces.size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const Index* triangles = lists.Triangles.data();
-          this->Improve(blocks.BoxOf(lists.Blocks[first + i]), lists.Cells[first + i],
-            triangles + lists.Offsets[first + i], triangles + lists.Offsets[first + i + 1], round,
-            pieces[i]);
-        }
-      });
-    this->MakeRoom(pieces);
-    this->Execute.For(pieces.size(),
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          this->PutBack(pieces[i]);
-        }
-      });
-    this->ListPendingOf(pieces);
+    this->RunIn(blocks, lists, { first, std::min(first + BlocksTogether, lists.Count()) });
   }
   std::sort(this->Pending.begin(), this->Pending.end());
   this->Pending.erase(std::unique(this->Pending.begin(), this->Pending.end()), this->Pending.end());
@@ -230,13 +205,31 @@ void MeshImprover::RunIn(const BlockGrid& blocks, Round round)
     this->Pending.end());
 }
 
-/// Lists triangles of blocks that have become bad and have something frozen around them.
-void MeshImprover::ListPendingOf(const std::vector<Piece>& pieces)
+/// Improves what lies within some of the blocks, and puts it back.
+void MeshImprover::RunIn(const BlockGrid& blocks, const BlockLists& lists, const Portion& portion)
 {
-  for (const Piece& piece : pieces)
+  std::vector<BlockChange> changes(portion.Last - portion.First);
+  const int* ranks = lists.Rank.data() + portion.First;
+  this->Execute.For(changes.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const std::size_t block = portion.First + i;
+        const Index* triangles = lists.Triangles.data();
+        if (lists.IsTakenBy(this->Processes.Rank, block))
+        {
+          changes[i] = this->Improve(blocks.BoxOf(lists.Blocks[block]), lists.Cells[block],
+            triangles + lists.Offsets[block], triangles + lists.Offsets[block + 1]);
+        }
+      }
+    });
+  if (ranks[0] != BlockLists::ByAll)
   {
-    this->Pending.insert(this->Pending.end(), piece.Pending.begin(), piece.Pending.end());
+    ExchangeChanges(this->Processes, ranks, changes);
   }
+  this->MakeRoom(changes);
+  this->PutBack(changes);
 }
 
 /// How many new triangles a block may get: what is inside keeps to the limit.
@@ -253,88 +246,128 @@ std::size_t MeshImprover::MostNewIn(const MeshBlock& block) const
   return static_cast<std::size_t>(std::max(0.0, most));
 }
 
-void MeshImprover::Improve(const Box3& box, const BlockCells& cells, const Index* begin,
-  const Index* end, Round round, Piece& piece) const
+BlockChange::Counts MeshImprover::CountAll() const
 {
-  piece.Block = std::make_unique<MeshBlock>(this->Mesh, box, cells, begin, end, this->Limits.Kept);
-  BlockImprover improver(
-    this->Grid, this->Limits, this->MostNewIn(*piece.Block), *piece.Block, this->Samples);
-  improver.Run(round, this->Tried);
-  piece.Samples.emplace(improver.TakeSamples());
-  piece.Again = improver.ListAgain();
+  return { this->Mesh.Corners.CornerCount() / 3, static_cast<Index>(this->Mesh.Points.size()) };
 }
 
-/// Gives the new points and triangles of pieces their numbers.
-void MeshImprover::MakeRoom(std::vector<Piece>& pieces)
+BlockChange MeshImprover::Improve(
+  const Box3& box, const BlockCells& cells, const Index* begin, const Index* end) const
 {
-  Index points = static_cast<Index>(this->Mesh.Points.size());
-  Index triangles = this->Mesh.Corners.CornerCount() / 3;
-  const Index pointsBefore = points, trianglesBefore = triangles;
-  for (Piece& piece : pieces)
+  MeshBlock block(this->Mesh, box, cells, begin, end, this->Limits.Kept);
+  BlockImprover improver(this->Grid, this->Limits, this->MostNewIn(block), block, this->Samples);
+  improver.Run(this->Now, this->Marks.Tried);
+  return ListChange(block, improver, this->Mesh, this->Marks);
+}
+
+/// Gives the new points and triangles of blocks their numbers, and forgets what was known of others.
+void MeshImprover::MakeRoom(std::vector<BlockChange>& changes)
+{
+  const BlockChange::Counts there = this->CountAll();
+  BlockChange::Counts added;
+  for (BlockChange& change : changes)
   {
-    MeshBlock& block = *piece.Block;
-    while (block.Points.size() < block.Mesh.Points.size())
+    change.Renumber(there, added);
+    for (const ChangedTriangle& changed : change.Triangles)
     {
-      block.Points.push_back(points++);
+      this->Runs.Forget(changed.Number);
     }
-    for (std::size_t i = 0; i < block.Mesh.Origins.size(); ++i)
-    {
-      block.Triangles.push_back(triangles++);
-    }
+    added.Triangles += change.New.Triangles;
+    added.Points += change.New.Points;
   }
-  this->Mesh.Corners.Grow(points - pointsBefore, triangles - trianglesBefore);
+  const std::size_t points = static_cast<std::size_t>(there.Points + added.Points);
+  const std::size_t triangles = static_cast<std::size_t>(there.Triangles + added.Triangles);
+  this->Mesh.Corners.Grow(added.Points, added.Triangles);
   this->Mesh.Points.resize(points);
   this->Mesh.Normals.resize(points);
   if (!this->Mesh.RoomOf.empty())
   {
     this->Mesh.RoomOf.resize(points);
   }
-  this->Mesh.Origins.resize(triangles - this->TrianglesAtFirst);
-  this->Samples.Grow(triangles - trianglesBefore);
-  this->Tried.resize(triangles, 0);
+  this->Mesh.Origins.resize(triangles - static_cast<std::size_t>(this->TrianglesAtFirst));
+  this->Samples.Grow(added.Triangles);
+  this->Marks.Tried.resize(triangles, 0);
+  this->Marks.IsFolded.resize(triangles, 0);
 }
 
-/// Puts the triangles of a piece that may have changed back into the surface.
-void MeshImprover::PutBack(Piece& piece)
+/// Puts all that may have changed in blocks back into the surface, and lists what is to be improved
+/// elsewhere.
+void MeshImprover::PutBack(std::vector<BlockChange>& changes)
 {
-  const MeshBlock& block = *piece.Block;
-  const ImprovableMesh& mesh = block.Mesh;
-  this->Mesh.Corners.PutBack({ mesh.Corners, block.Triangles, block.Points, block.FirstInner });
-  this->Samples.PutBack(*piece.Samples, block);
-  // Frozen points are as they were, and other pieces may look at them at the same time.
-  for (std::size_t i = static_cast<std::size_t>(block.FirstFree); i < block.Points.size(); ++i)
-  {
-    const Index point = block.Points[i];
-    this->Mesh.Points[point] = mesh.Points[i];
-    this->Mesh.Normals[point] = mesh.Normals[i];
-    if (!mesh.RoomOf.empty())
+  std::vector<std::vector<Index>> pending(changes.size());
+  this->Execute.For(changes.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      this->Mesh.RoomOf[point] = mesh.RoomOf[i];
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        this->PutBack(changes[i]);
+        this->ListPendingOf(changes[i], pending[i]);
+        changes[i] = {};
+      }
+    });
+  for (const std::vector<Index>& some : pending)
+  {
+    this->Pending.insert(this->Pending.end(), some.begin(), some.end());
+  }
+}
+
+void MeshImprover::PutBack(const BlockChange& change)
+{
+  const Index* samples = change.Samples.data();
+  for (const ChangedTriangle& changed : change.Triangles)
+  {
+    const Index triangle = changed.Number;
+    if (changed.IsGone())
+    {
+      this->Mesh.Corners.TakeOut(triangle);
+    }
+    else
+    {
+      this->Mesh.Corners.Put(triangle, changed.Vertices, changed.Curves);
+    }
+    this->Samples.Put(triangle, changed.Plain, samples, samples + changed.SampleCount);
+    samples += changed.SampleCount;
+    if (changed.Origin >= 0)
+    {
+      std::vector<Index>& origins = this->Mesh.Origins;
+      const Index given = this->TrianglesAtFirst;
+      origins[triangle - given] =
+        changed.Origin < given ? changed.Origin : origins[changed.Origin - given];
     }
   }
-  const std::size_t given = block.Triangles.size() - mesh.Origins.size();
-  for (std::size_t i = 0; i < mesh.Origins.size(); ++i)
+  for (const ChangedPoint& changed : change.Points)
   {
-    const Index origin = block.Triangles[mesh.Origins[i]];
-    this->Mesh.Origins[block.Triangles[given + i] - this->TrianglesAtFirst] =
-      origin < this->TrianglesAtFirst ? origin
-                                      : this->Mesh.Origins[origin - this->TrianglesAtFirst];
-  }
-  for (std::size_t i = 0; i < block.Triangles.size(); ++i)
-  {
-    const Index triangle = static_cast<Index>(i);
-    if (!mesh.Corners.IsAlive(3 * triangle) || !block.IsInner(triangle))
+    this->Mesh.Points[changed.Number] = changed.Place;
+    this->Mesh.Normals[changed.Number] = changed.Normal;
+    if (!this->Mesh.RoomOf.empty())
     {
-      continue;
-    }
-    std::uint8_t& tried = this->Tried[block.Triangles[i]];
-    tried = piece.Again[i] != 0 ? 0 : block.IsFree(triangle) ? 1 : tried;
-    if (this->IsPending(block.Triangles[i]))
-    {
-      piece.Pending.push_back(block.Triangles[i]);
+      this->Mesh.RoomOf[changed.Number] = changed.Room;
     }
   }
-  piece.Block.reset();
-  piece.Samples.reset();
+  for (const ChangedMarks& changed : change.Marks)
+  {
+    this->Marks.Tried[changed.Number] = changed.Tried;
+    this->Marks.IsFolded[changed.Number] = changed.IsFolded;
+  }
+}
+
+/// Lists triangles of a block that have become bad and have something frozen around them.
+void MeshImprover::ListPendingOf(const BlockChange& change, std::vector<Index>& pending) const
+{
+  const auto add = [&](Index triangle)
+  {
+    if (this->IsPending(triangle))
+    {
+      pending.push_back(triangle);
+    }
+  };
+  for (const ChangedTriangle& changed : change.Triangles)
+  {
+    add(changed.Number);
+  }
+  for (const ChangedMarks& changed : change.Marks)
+  {
+    add(changed.Number);
+  }
 }
 }

@@ -4,6 +4,7 @@
 #define OrthoSlicesMeshImprover_h
 
 #include "Core/Base/Execution.h"
+#include "Core/Improve/BlockChange.h"
 #include "Core/Improve/BlockGrid.h"
 #include "Core/Improve/BlockImprover.h"
 #include "Core/Slices/SpatialGrid.h"
@@ -23,42 +24,45 @@ namespace orthoslices
  * The surface is divided into blocks (MeshBlock), which are improved at the same time, and then
  * again with faces elsewhere, until each triangle has been looked at with all that is around it.
  * Neither blocks nor their order depend on the number of threads, so the result does not either.
+ * Several processes that have the same surface improve it together: each does so with some of the
+ * blocks, and hands on what has changed.
  */
 class MeshImprover
 {
 public:
   MeshImprover(const SpatialGrid& grid, const ImprovementLimits& limits, const Execution& execution,
-    ImprovableMesh& mesh);
+    ImprovableMesh& mesh, const Ranks& ranks = Ranks());
   void Run();
 
 private:
-  struct Piece;
-
   void Run(Round round, const Box3& around, double side);
-  void RunIn(const BlockGrid& blocks, Round round);
+  void RunIn(const BlockGrid& blocks);
   double SideOfBlocks() const;
   void ListPending();
   bool IsPending(Index triangle) const;
-  bool HasFold(Index triangle) const;
   bool HasPressed(Index triangle) const;
-  void ListPendingOf(const std::vector<Piece>& pieces);
-  void Improve(const Box3& box, const BlockCells& cells, const Index* begin, const Index* end,
-    Round round, Piece& piece) const;
+  void RunIn(const BlockGrid& blocks, const BlockLists& lists, const Portion& portion);
+  BlockChange Improve(
+    const Box3& box, const BlockCells& cells, const Index* begin, const Index* end) const;
   std::size_t MostNewIn(const MeshBlock& block) const;
-  void MakeRoom(std::vector<Piece>& pieces);
-  void PutBack(Piece& piece);
+  BlockChange::Counts CountAll() const;
+  void MakeRoom(std::vector<BlockChange>& changes);
+  void PutBack(std::vector<BlockChange>& changes);
+  void PutBack(const BlockChange& change);
+  void ListPendingOf(const BlockChange& change, std::vector<Index>& pending) const;
 
   const SpatialGrid& Grid;
   ImprovementLimits Limits;
   const Execution& Execute;
   ImprovableMesh& Mesh;
+  const Ranks Processes;
   Index TrianglesAtFirst;
   SurfaceSamples Samples;
   TriangleRuns Runs;
   Round Now = Round::First;
-  double Wanted = 0.0;             ///< triangles of less quality are to be improved in this round
-  std::vector<std::uint8_t> Tried; ///< of each triangle: whether it was looked at as it is
-  std::vector<Index> Pending;      ///< bad triangles that were not
+  double Wanted = 0.0; ///< triangles of less quality are to be improved in this round
+  TriangleMarks Marks;
+  std::vector<Index> Pending; ///< bad triangles that were not
 };
 }
 

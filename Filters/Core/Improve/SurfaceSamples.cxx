@@ -94,29 +94,25 @@ void SurfaceSamples::CopyFiled(const SurfaceSamples& whole, const MeshBlock& blo
   }
 }
 
-void SurfaceSamples::PutBack(const SurfaceSamples& part, const MeshBlock& block)
+void SurfaceSamples::AppendSamplesOn(Index triangle, std::vector<Index>& samples) const
 {
-  const auto inWhole = [&](Index sample)
-  { return sample < part.Corners ? block.Points[sample] : part.Others[sample - part.Corners]; };
-  for (std::size_t i = 0; i < part.First.size(); ++i)
+  for (Index sample = this->First[triangle]; sample >= 0; sample = this->Next[sample])
   {
-    const Index triangle = static_cast<Index>(i);
-    if (!block.Mesh.Corners.IsAlive(3 * triangle))
-    {
-      this->First[block.Triangles[i]] = -1;
-    }
-    else if (block.IsInner(triangle))
-    {
-      this->Plain[block.Triangles[i]] = part.Plain[i];
-      Index* last = &this->First[block.Triangles[i]];
-      for (Index sample = part.First[i]; sample >= 0; sample = part.Next[sample])
-      {
-        *last = inWhole(sample);
-        last = &this->Next[*last];
-      }
-      *last = -1;
-    }
+    samples.push_back(
+      sample < this->Corners ? this->Block->Points[sample] : this->Others[sample - this->Corners]);
   }
+}
+
+void SurfaceSamples::Put(Index triangle, Index plain, const Index* begin, const Index* end)
+{
+  this->Plain[triangle] = plain;
+  Index* last = &this->First[triangle];
+  for (const Index* sample = begin; sample != end; ++sample)
+  {
+    *last = *sample;
+    last = &this->Next[*sample];
+  }
+  *last = -1;
 }
 
 void SurfaceSamples::Grow(Index triangles)

@@ -25,11 +25,16 @@ public:
   /// The samples of a part of a surface: at its points, and on those of its triangles that may
   /// change.
   SurfaceSamples(const SurfaceSamples& whole, const MeshBlock& block);
-  /// Puts those of a part back. Parts that have no triangle in common that may change may be put
-  /// back at the same time. REQUIRES: there is room for new triangles, see Grow.
-  void PutBack(const SurfaceSamples& part, const MeshBlock& block);
+  /// Those of a part on one of its triangles, by their numbers in the whole, are appended.
+  void AppendSamplesOn(Index triangle, std::vector<Index>& samples) const;
+  /// The samples of the whole on a triangle are these from now on. Several triangles may get theirs
+  /// at the same time.
+  void Put(Index triangle, Index plain, const Index* begin, const Index* end);
   /// Makes room for new triangles.
   void Grow(Index triangles);
+
+  /// See ImprovableMesh.
+  Index PlainOf(Index triangle) const { return this->Plain[triangle]; }
 
   /// How far the side between two triangles may move.
   double ToleranceOfSide(Index triangle, Index other) const;

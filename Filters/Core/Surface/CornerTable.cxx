@@ -308,51 +308,17 @@ void CornerTable::Grow(Index points, Index triangles)
 }
 
 /// Puts back a triangle that is there yet and whose corners are inner points.
-void CornerTable::PutBackTriangle(const Part& part, Index triangle)
+void CornerTable::Put(
+  Index triangle, const std::array<Index, 3>& vertices, const std::array<std::uint8_t, 3>& curves)
 {
-  const CornerTable& table = part.Table;
-  const auto inWhole = [&](Index corner) { return 3 * part.Triangles[corner / 3] + corner % 3; };
-  for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
-  {
-    const Index own = inWhole(corner), across = table.Opposite[corner];
-    const Index other = inWhole(across);
-    this->Vertex[own] = part.Points[table.Vertex[corner]];
-    this->Opposite[own] = other;
-    const bool isInner = table.Vertex[across] >= part.FirstInner;
-    if (isInner)
-    {
-      this->Curve[own] = table.Curve[corner];
-    }
-    else
-    {
-      // A triangle that stays, but may have got another neighbour; what its edges are, it knows.
-      this->Opposite[other] = own;
-      this->Curve[own] = this->Curve[other];
-    }
-  }
+  const std::ptrdiff_t first = 3 * static_cast<std::ptrdiff_t>(triangle);
+  std::copy(vertices.begin(), vertices.end(), this->Vertex.begin() + first);
+  std::copy(curves.begin(), curves.end(), this->Curve.begin() + first);
 }
 
-void CornerTable::PutBack(const Part& part)
+void CornerTable::TakeOut(Index triangle)
 {
-  const CornerTable& table = part.Table;
-  for (Index triangle = 0; 3 * triangle < table.CornerCount(); ++triangle)
-  {
-    const Index* vertices = &table.Vertex[3 * triangle];
-    if (vertices[0] < 0)
-    {
-      std::fill_n(this->Vertex.begin() + 3 * part.Triangles[triangle], 3, -1);
-    }
-    else if (std::min({ vertices[0], vertices[1], vertices[2] }) >= part.FirstInner)
-    {
-      this->PutBackTriangle(part, triangle);
-    }
-  }
-  for (Index point = part.FirstInner; point < table.PointCount(); ++point)
-  {
-    const Index corner = table.Corner[point];
-    this->Corner[part.Points[point]] =
-      corner < 0 ? -1 : 3 * part.Triangles[corner / 3] + corner % 3;
-  }
+  std::fill_n(this->Vertex.begin() + 3 * static_cast<std::ptrdiff_t>(triangle), 3, -1);
 }
 
 std::vector<std::array<Index, 3>> CornerTable::ListTriangles() const

@@ -27,8 +27,8 @@ public:
   /// turns around them; points are numbered from 0.
   CornerTable(Index points, const std::vector<std::array<Index, 3>>& triangles);
 
-  /// A table without opposite corners, of which nothing may be asked but the corners of triangles. Parts
-  /// that are put back have theirs.
+  /// A table without opposite corners, of which nothing may be asked but the corners of triangles,
+  /// and which edges are curves.
   static CornerTable WithoutLinks(Index points, const std::vector<std::array<Index, 3>>& triangles);
 
   Index CornerCount() const { return static_cast<Index>(this->Vertex.size()); }
@@ -83,21 +83,13 @@ public:
   /// Puts a new vertex on the edge of a corner and returns it.
   Index Split(Index corner);
 
-  /// A part of the table that was made of copies of some triangles, and is to take their place.
-  struct Part
-  {
-    const CornerTable& Table;
-    const std::vector<Index>& Triangles; ///< of each triangle of the part, its number in the whole
-    const std::vector<Index>& Points;    ///< the same of points
-    Index FirstInner; ///< points from that one on have all of their triangles in the part
-  };
-  /// Makes room for points and triangles, which are not there until a part that has them is put back.
+  /// Makes room for points and triangles, which are not there until they are put in.
   void Grow(Index points, Index triangles);
-  /**
-   * Puts the triangles of a part back whose corners are all inner points; others are as they were.
-   * Parts without common triangles of that kind may be put back at the same time.
-   */
-  void PutBack(const Part& part);
+  /// Puts a triangle in the place of another one, by its vertices and whether its edges are curves.
+  /// The table has no opposite corners from then on, see WithoutLinks.
+  void Put(Index triangle, const std::array<Index, 3>& vertices,
+    const std::array<std::uint8_t, 3>& curves);
+  void TakeOut(Index triangle);
 
   /// The triangles that are left.
   std::vector<std::array<Index, 3>> ListTriangles() const;
@@ -107,7 +99,6 @@ private:
   void SetTriangles(Index points, const std::vector<std::array<Index, 3>>& triangles);
   void LinkTriangles();
   void Link(Index corner, Index opposite);
-  void PutBackTriangle(const Part& part, Index triangle);
   void SetTriangle(Index triangle, Index a, Index b, Index c);
   Index CountCurves(Index vertex) const;
   Index CountCommonNeighbors(Index start, Index end) const;

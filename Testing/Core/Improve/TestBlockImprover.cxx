@@ -44,8 +44,12 @@ std::ptrdiff_t CountAgain(const ImprovableMesh& mesh, const BlockCells& cells)
   MeshBlock block(mesh, Everywhere(), cells, all.data(), all.data() + all.size(), 0);
   BlockImprover improver(grid, limits, 0, block, SurfaceSamples(mesh, limits));
   improver.Run(Round::First, std::vector<std::uint8_t>(all.size(), 0));
-  const std::vector<std::uint8_t> again = improver.ListAgain();
-  return std::count(again.begin(), again.end(), 1);
+  std::ptrdiff_t count = 0;
+  for (Index triangle = 0; 3 * triangle < block.Mesh.Corners.CornerCount(); ++triangle)
+  {
+    count += block.Mesh.Corners.IsAlive(3 * triangle) && improver.IsOpen(triangle) ? 1 : 0;
+  }
+  return count;
 }
 }
 

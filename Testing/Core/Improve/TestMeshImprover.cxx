@@ -8,6 +8,7 @@
 #include "Support/CheckEmbedding.h"
 #include "Support/CheckSurface.h"
 #include "Support/ClosedMeshes.h"
+#include "Support/ThreadRanks.h"
 #include "Support/Threads.h"
 
 #include <gtest/gtest.h>
@@ -41,13 +42,13 @@ ImprovableMesh Improvable(const PlainMesh& mesh)
 }
 
 /// In a grid without planes, which bounds nothing.
-void Improve(
-  const ImprovementLimits& limits, ImprovableMesh& mesh, const Execution& execution = Execution())
+void Improve(const ImprovementLimits& limits, ImprovableMesh& mesh,
+  const Execution& execution = Execution(), const Ranks& ranks = Ranks())
 {
   SpatialGrid grid;
   grid.Lowest = { -10.0, -10.0, -10.0 };
   grid.Highest = { 10.0, 10.0, 10.0 };
-  MeshImprover(grid, limits, execution, mesh).Run();
+  MeshImprover(grid, limits, execution, mesh, ranks).Run();
 }
 
 TriangleMesh Plain(const ImprovableMesh& mesh) { return CopyUsed(mesh.Corners, mesh.Points); }
@@ -228,6 +229,36 @@ TEST(MeshImprover, BlocksAreTheSameForAnyNumberOfThreads)
   EXPECT_EQ(one.Origins, many.Origins);
 }
 
+//----------------------------------------------------------------------------
+/// Processes improve a surface together: each a part of it, of which the others hear, so that all
+/// have the surface that one alone makes.
+TEST(MeshImprover, BlocksAreTheSameForAnyNumberOfProcesses)
+{
+  const PlainMesh before = LargeBallOfPairs();
+  ImprovableMesh alone = Improvable(before);
+  Improve({ 0.01, 22.0 }, alone);
+  for (const int count : { 2, 3, 7 })
+  {
+    ThreadRanks group(count);
+    group.ForAll(
+      [&](Ranks ranks)
+      {
+        std::size_t handedOn = 0;
+        ranks.Gather = [&handedOn, gather = ranks.Gather](const Ranks::Bytes& own)
+        {
+          handedOn += own.size();
+          return gather(own);
+        };
+        ImprovableMesh mesh = Improvable(before);
+        Improve({ 0.01, 22.0 }, mesh, Execution(), ranks);
+        EXPECT_EQ(mesh.Points, alone.Points);
+        EXPECT_EQ(mesh.Corners.ListTriangles(), alone.Corners.ListTriangles());
+        EXPECT_EQ(mesh.Origins, alone.Origins);
+        EXPECT_GT(handedOn, count < 7 ? std::size_t(10000) : std::size_t(0));
+      });
+  }
+}
+
 namespace
 {
 /// A cone over a polygon that turns back, and a nearly flat one on it: from its apex the side that
@@ -264,13 +295,11 @@ PlainMesh BluntWedge(double width)
 
 int CountFolds(const ImprovableMesh& mesh)
 {
+  const CornerTable corners(mesh.Corners.PointCount(), mesh.Corners.ListTriangles());
   int folds = 0;
-  for (Index corner = 0; corner < mesh.Corners.CornerCount(); ++corner)
+  for (Index corner = 0; corner < corners.CornerCount(); ++corner)
   {
-    folds += mesh.Corners.IsAlive(corner) && mesh.Corners.OppositeOf(corner) > corner &&
-        IsFolded(mesh.Corners, mesh.Points, corner)
-      ? 1
-      : 0;
+    folds += corners.OppositeOf(corner) > corner && IsFolded(corners, mesh.Points, corner) ? 1 : 0;
   }
   return folds;
 }
