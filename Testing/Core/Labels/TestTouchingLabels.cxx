@@ -86,7 +86,7 @@ std::int64_t CountCrossings(const Chessboard& board, const Matrix3& matrix)
     }
     labels.resize(all.Triangles.size(), static_cast<int>(label));
   }
-  return CountLabelCrossings(all, labels) + CountCrossingSides(all, labels);
+  return CountLabelCrossings(all, labels);
 }
 }
 
