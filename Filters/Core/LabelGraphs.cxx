@@ -76,7 +76,8 @@ bool LabelRunner::DrawEach(const std::vector<Pass*>& passes, std::vector<Contour
 /**
  * Draws the graphs of all labels. Close to lines in which planes meet, each graph makes room for its
  * own arcs. If arcs of several labels meet by that but in common points, all slices are mended
- * together, and drawn once more; then there is nothing left to make room for. False: stopped.
+ * together, and drawn once more; then there is nothing left to make room for. If nothing would be
+ * left of a label by that, all stay as they are. False: stopped.
  */
 bool LabelRunner::DrawGraphs(const std::vector<Pass*>& passes)
 {
@@ -94,6 +95,11 @@ bool LabelRunner::DrawGraphs(const std::vector<Pass*>& passes)
   for (int round = 0; round < mostRounds && DoSidesMeet(grid, drawn); ++round)
   {
     this->MendSlices(grid, drawn);
+    if (std::any_of(drawn.begin(), drawn.end(),
+          [](const Contours& contours) { return contours.Count() == 0; }))
+    {
+      break;
+    }
     for (std::size_t i = 0; i < passes.size(); ++i)
     {
       TakeCells(before[i], drawn[i]);
