@@ -158,14 +158,7 @@ bool LabelRunner::KeepReports()
       {
         return false;
       }
-      label.AsDrawn = std::make_unique<Reconstruction>();
-      Reconstruction& kept = *label.AsDrawn;
-      kept.Grid = std::move(drawn.Result.Grid);
-      kept.Reconciled = drawn.Result.Reconciled;
-      kept.Repairs = std::move(drawn.Result.Repairs);
-      kept.Members = std::move(drawn.Result.Members);
-      kept.Agreement = std::move(drawn.Result.Agreement);
-      kept.Nodes.Difference = std::move(drawn.Result.Nodes.Difference);
+      label.AsDrawn = std::make_unique<Reconstruction>(ReportOf(drawn.Result));
     }
   }
   return true;

@@ -227,20 +227,32 @@ bool LabelRunner::MakeEach()
 bool LabelRunner::MakeDense()
 {
   std::vector<Pass*> toFill;
-  for (std::size_t i = 0; i < this->Passes.size(); ++i)
+  for (LabelPass& pass : this->Passes)
   {
-    LabelPass& pass = this->Passes[i];
-    pass.SetProgress(ProgressOfReading, this->EndOfFilling(), i, this->Passes.size());
+    pass.SetProgress(ProgressOfReading, ProgressOfReading, 0, 1);
     if (pass.IsRead)
     {
       pass.Stages.SetOtherPlanes(this->Planes, this->WhichPlanes);
       pass.Stages.BuildGrid();
       pass.Stages.Settings.Virtual = VirtualSlices::Off;
-      if (!ConnectDense(pass.Stages))
+      if (!AddOuterSlices(pass.Stages))
       {
         return false;
       }
       toFill.push_back(&pass.Stages);
+    }
+  }
+  if (!this->DrawGraphs(toFill))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < this->Passes.size(); ++i)
+  {
+    LabelPass& pass = this->Passes[i];
+    pass.SetProgress(ProgressOfReading, this->EndOfFilling(), i, this->Passes.size());
+    if (pass.IsRead && !ConnectGraph(pass.Stages))
+    {
+      return false;
     }
   }
   return FillTogether(this->Settings.Patching, toFill, this->Accuracy);

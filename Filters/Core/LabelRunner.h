@@ -95,6 +95,11 @@ private:
   void FindPlanes();
   void AddPlanes(const VirtualPlanes& planes);
   SliceDensity Density() const;
+  SpatialGrid CommonGrid(const std::vector<Pass*>& passes) const;
+  void KeepReport(Pass& drawn);
+  void MendSlices(const SpatialGrid& grid, std::vector<Contours>& labels);
+  bool DrawEach(const std::vector<Pass*>& passes, std::vector<Contours>& drawn);
+  bool DrawGraphs(const std::vector<Pass*>& passes);
   bool MakeEach();
   bool MakeDense();
   bool MakeSparse(const SliceDensity& density);

@@ -127,8 +127,9 @@ double SumOfSquaredDifferences(const NodePoints& nodes)
   return sum;
 }
 
-/// Cycles in each cell (section 4.3), and the patches that are not fans.
-bool PatchCells(Pass& pass)
+}
+
+bool ConnectGraph(Pass& pass)
 {
   PatchAllCells(
     pass.Settings, pass.Execute, [&](Stage stage) { pass.Finish(stage); }, pass.Tables.NodeNormals,
@@ -140,7 +141,6 @@ bool PatchCells(Pass& pass)
   pass.Report(DescribeShells(pass.Result));
   pass.Finish(Stage::FindUndecidedPlaces);
   return pass.GoOn();
-}
 }
 
 bool DoSlicesAgree(const Reconstruction& result)
@@ -181,7 +181,7 @@ bool MakeSlicesAgree(Pass& pass)
 
 bool DrawGraph(Pass& pass) { return MakeSlicesAgree(pass) && BuildGraph(pass); }
 
-bool ConnectContours(Pass& pass) { return DrawGraph(pass) && PatchCells(pass); }
+bool ConnectContours(Pass& pass) { return DrawGraph(pass) && ConnectGraph(pass); }
 
 namespace
 {

@@ -17,6 +17,10 @@ bool MakeSlicesAgree(Pass& pass);
 /// The first part of ConnectContours: slices that agree, and the graph G. False: stopped.
 bool DrawGraph(Pass& pass);
 
+/// The second part: cycles in each cell (section 4.3), and the patches that are not fans. False:
+/// stopped.
+bool ConnectGraph(Pass& pass);
+
 /// From contours to the cycles of all cells and how they are joined (the paper's section 4):
 /// crossings, agreement of the slices, graph, patches without their inside, and the report. False:
 /// stopped.

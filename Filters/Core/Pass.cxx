@@ -95,6 +95,15 @@ void Pass::BuildGrid()
   this->NumberInserted();
 }
 
+void Pass::StartAgain(Contours&& contours)
+{
+  this->Tables.Contours = std::move(contours);
+  this->Tables.IsolatedParts.clear();
+  this->Inserted.clear();
+  this->OfVirtual.clear();
+  this->BuildGrid();
+}
+
 /// Gives inserted contours the numbers that their planes have in the grid. Those on planes that are
 /// no more are not there either.
 void Pass::NumberInserted()

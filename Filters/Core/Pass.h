@@ -58,6 +58,10 @@ public:
   /// The planes of the contours, and those of other structures; where inserted contours are in it.
   void BuildGrid();
 
+  /// Begins anew with other contours of the same slices. What the graph of those before has shown of
+  /// the input is forgotten.
+  void StartAgain(Contours&& contours);
+
   /// Planes of other structures, for grids that are built from now on, and which of them; see
   /// AddEmptyPlanes. They have to outlive this.
   void SetOtherPlanes(

@@ -132,6 +132,18 @@ void RemoveContours(
   RemoveMarked(isRemoved, contours);
 }
 
+Reconstruction ReportOf(Reconstruction& first)
+{
+  Reconstruction report;
+  report.Grid = std::move(first.Grid);
+  report.Reconciled = first.Reconciled;
+  report.Repairs = std::move(first.Repairs);
+  report.Members = std::move(first.Members);
+  report.Agreement = std::move(first.Agreement);
+  report.Nodes.Difference = std::move(first.Nodes.Difference);
+  return report;
+}
+
 void TakeReport(
   const Reconstruction& first, const std::vector<Index>& leftOut, Reconstruction& result)
 {

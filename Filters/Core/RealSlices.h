@@ -23,6 +23,9 @@ std::vector<Index> FindLeftOut(
 void RemoveContours(
   const std::vector<Index>& leftOut, const std::vector<IsolatedLoop>& parts, Contours& contours);
 
+/// What TakeReport takes of a first surface, taken out of it.
+Reconstruction ReportOf(Reconstruction& first);
+
 /// Gives `result`, whose grid has virtual planes besides those of the first one, the report of the
 /// first one, and lists the contours that were left out there. What that says of planes that the
 /// grid of `result` has not is left out: planes on which nothing is left once labels agree.

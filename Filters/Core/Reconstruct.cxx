@@ -20,10 +20,10 @@ void AddEndSlicesIfAsked(Pass& pass)
 }
 }
 
-bool ConnectDense(Pass& pass)
+bool AddOuterSlices(Pass& pass)
 {
   AddEndSlicesIfAsked(pass);
-  return AddBorderSlices(pass) && ConnectContours(pass);
+  return AddBorderSlices(pass);
 }
 
 bool ReconstructContours(Pass& pass)
@@ -34,7 +34,7 @@ bool ReconstructContours(Pass& pass)
     AddEndSlicesIfAsked(pass);
     return MakeSparseSurface(sparse, pass);
   }
-  if (!ConnectDense(pass))
+  if (!AddOuterSlices(pass) || !ConnectContours(pass))
   {
     return false;
   }

@@ -86,9 +86,9 @@ class Pass;
 /// The same from contours that ReadSlices has read, to the surface. False: stopped.
 bool ReconstructContours(Pass& pass);
 
-/// The same as if slices were not too few, up to the cycles of all cells: without the inside of the
-/// patches. False: stopped.
-bool ConnectDense(Pass& pass);
+/// Adds the slices that the options want beyond those of the input, where these are not too few.
+/// False: stopped.
+bool AddOuterSlices(Pass& pass);
 }
 
 #endif

@@ -267,6 +267,19 @@ bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
     }
   }
   this->ShareVirtual(passes, false);
+  std::vector<Pass*> toDraw;
+  for (LabelPass* pass : passes)
+  {
+    Pass* const again = pass->Sparse->StartAgain();
+    if (again != nullptr)
+    {
+      toDraw.push_back(again);
+    }
+  }
+  if (!this->DrawGraphs(toDraw))
+  {
+    return false;
+  }
   std::vector<Pass*> toFill;
   for (std::size_t i = 0; i < passes.size(); ++i)
   {

@@ -127,9 +127,19 @@ bool SparseStructure::Redraw()
   return true;
 }
 
+Pass* SparseStructure::StartAgain()
+{
+  if (this->Virtual.Count() > 0)
+  {
+    this->Again = std::make_unique<Pass>(
+      SecondPass(this->First, this->Drawn, this->Virtual, this->Known, this->LeftOut));
+  }
+  return this->Again.get();
+}
+
 bool SparseStructure::Connect()
 {
-  if (this->Virtual.Count() == 0)
+  if (!this->Again)
   {
     if (!this->Centers.empty())
     {
@@ -138,9 +148,7 @@ bool SparseStructure::Connect()
     this->First.SetShare(ProgressOfBending, 1.0);
     return true;
   }
-  this->Again = std::make_unique<Pass>(
-    SecondPass(this->First, this->Drawn, this->Virtual, this->Known, this->LeftOut));
-  if (!ConnectContours(*this->Again))
+  if (!ConnectGraph(*this->Again))
   {
     this->First.Result.Stopped = true;
     return false;

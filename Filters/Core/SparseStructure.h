@@ -37,7 +37,10 @@ public:
   /// Draws the virtual slices as they are after all slices of this structure have been made to
   /// agree, so that a second surface changes them no more. False: stopped.
   bool Redraw();
-  /// The second surface, up to the inside of its patches. False: stopped.
+  /// The pass of the second surface, of which the graph is to be drawn; null if there are no virtual
+  /// slices.
+  Pass* StartAgain();
+  /// The second surface, up to the inside of its patches, once its graph is drawn. False: stopped.
   bool Connect();
   /// The pass of which patches are to be filled then.
   Pass& ToFill() { return this->Again ? *this->Again : this->First; }

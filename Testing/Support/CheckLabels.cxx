@@ -153,12 +153,7 @@ std::int64_t CountLabelCrossings(const TriangleMesh& mesh, const std::vector<int
 {
   return CountPairs(mesh, labels,
     [](const Corners& s, const Corners& t)
-    { return PiercesWhereApart(s, t) || PiercesWhereApart(t, s); });
-}
-
-std::int64_t CountCrossingSides(const TriangleMesh& mesh, const std::vector<int>& labels)
-{
-  return CountPairs(mesh, labels, DoSidesCross);
+    { return PiercesWhereApart(s, t) || PiercesWhereApart(t, s) || DoSidesCross(s, t); });
 }
 
 LabelVolumes MeasureLabels(const TriangleMesh& mesh, const std::vector<int>& labels, int lines)

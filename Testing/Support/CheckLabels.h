@@ -19,16 +19,11 @@ namespace support
 
 /**
  * Pairs of triangles of different labels of which one has a side that passes through the inside of
- * the other, decided exactly. Corners are common if they are at the same place. `labels` has one
- * for each triangle.
+ * the other, or crosses a side of the other, each inside, in a plane across an axis: there sides lie
+ * that slices are made of, and neither triangle need pierce the other one. Decided exactly. Corners
+ * are common if they are at the same place. `labels` has one for each triangle.
  */
 std::int64_t CountLabelCrossings(const TriangleMesh& mesh, const std::vector<int>& labels);
-
-/**
- * The same where a side of one crosses a side of the other, each inside, in a plane across an axis:
- * there sides lie that slices are made of. Neither triangle need then pierce the other one.
- */
-std::int64_t CountCrossingSides(const TriangleMesh& mesh, const std::vector<int>& labels);
 
 /// Volumes that structures have, and what is wrong between them.
 struct LabelVolumes

@@ -120,15 +120,16 @@ double Interpolate(double from, double to, double t)
 {
   return t <= 0.0 ? from : t >= 1.0 ? to : from + t * (to - from);
 }
+}
 
-/// The other coordinate at which a segment from p to q passes a plane of the first one, as seen
-/// from the lesser end.
 double InterpolateFromLesser(double plane, const Point2& p, const Point2& q)
 {
   const Point2 &from = p < q ? p : q, &to = p < q ? q : p;
   return Interpolate(from[1], to[1], (plane - from[0]) / (to[0] - from[0]));
 }
 
+namespace
+{
 template <typename Visit>
 void ContourWalk::CrossSegment(Index vertex, Index next, Visit&& visit)
 {

@@ -84,6 +84,10 @@ struct EdgeRegister
 GridCrossings RegisterCrossings(const Contours& contours, const SpatialGrid& grid,
   const Execution& execution, std::vector<IsolatedLoop>& isolated);
 
+/// Where a side from p to q passes a plane across its first coordinate: the second one there, the
+/// same to the last bit for either direction of the side (SpatialGrid::BothWays).
+double InterpolateFromLesser(double plane, const Point2& p, const Point2& q);
+
 /// Files the crossings that are not removed on their edges.
 EdgeRegister FileOnEdges(const GridCrossings& crossings);
 

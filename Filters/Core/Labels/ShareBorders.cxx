@@ -190,6 +190,13 @@ void SliceSharer::AddParted(
   }
 }
 
+/// Whether a walk passes a node more than once.
+bool TouchesItself(std::vector<Index> walk)
+{
+  std::sort(walk.begin(), walk.end());
+  return std::adjacent_find(walk.begin(), walk.end()) != walk.end();
+}
+
 /// Whether contours of a structure have vertices that they had not, or another interior.
 bool SliceSharer::HasChanged(Index structure, const PlaneWalks& walks, const FaceSets& sets) const
 {
@@ -198,7 +205,8 @@ bool SliceSharer::HasChanged(Index structure, const PlaneWalks& walks, const Fac
     const Contours& contours = *this->Structures[structure];
     if (this->Members[i].Structure == structure &&
       (this->IsMoved[i] != 0 ||
-        static_cast<Index>(walks.Walks[i].size()) != contours.Size(this->Members[i].Contour)))
+        static_cast<Index>(walks.Walks[i].size()) != contours.Size(this->Members[i].Contour) ||
+        TouchesItself(walks.Walks[i])))
     {
       return true;
     }
