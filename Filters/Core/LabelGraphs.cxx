@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/LabelRunner.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/Labels/ClearLines.h"
 #include "Core/Labels/NestedRegions.h"
 #include "Core/Labels/SideMeetings.h"
@@ -45,16 +46,11 @@ void LabelRunner::KeepReport(Pass& drawn)
 /// Makes contours common again that graphs show otherwise for each label.
 void LabelRunner::MendSlices(const SpatialGrid& grid, std::vector<Contours>& labels)
 {
-  std::vector<Contours*> all;
-  for (Contours& contours : labels)
-  {
-    all.push_back(&contours);
-  }
+  const std::vector<Contours*> all = PointersTo(labels);
   ShareBorders(0.0, this->Borders.Sets, this->Execute, all); // so that lines are crossed alike
   ClearLines(grid, this->Execute, all);
   const SharedBorders shared = ShareBorders(0.0, this->Borders.Sets, this->Execute, all);
-  const std::set<Point3> junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
-  this->Junctions.insert(junctions.begin(), junctions.end());
+  this->AddJunctions(shared.Junctions);
 }
 
 /// Draws the graph of each label by itself, and reads its contours. False: stopped.

@@ -33,6 +33,12 @@ void CountComponents(Reconstruction& result)
 }
 }
 
+/// Adds to those that are known.
+void LabelRunner::AddJunctions(const std::set<Point3>& junctions)
+{
+  this->Junctions.merge(RoundAll(junctions, this->Settings.Quantum));
+}
+
 std::set<Point3> LabelRunner::RoundAll(const std::set<Point3>& points, double quantum)
 {
   SpatialGrid grid;

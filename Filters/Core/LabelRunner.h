@@ -117,6 +117,7 @@ private:
   std::vector<Index> ListRead() const;
   double Thickness() const;
   /// Points as they are in contours that were rounded to multiples of a quantum, if it is not 0.
+  void AddJunctions(const std::set<Point3>& junctions);
   static std::set<Point3> RoundAll(const std::set<Point3>& points, double quantum);
 
   std::vector<SortedSlices>& Labels;

@@ -151,8 +151,7 @@ void LabelRunner::ShareVirtual(const std::vector<LabelPass*>& passes, bool withU
   // each label.
   const double thickness = withUnion ? this->Thickness() : 0.0;
   const SharedBorders shared = ShareBorders(thickness, allowed, this->Execute, contours);
-  const std::set<Point3> junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
-  this->Junctions.insert(junctions.begin(), junctions.end());
+  this->AddJunctions(shared.Junctions);
 }
 
 /// Whether a field through a few slices of all labels together foretells slices that are left out

@@ -109,6 +109,20 @@ PlainMesh RingMesh(Index segments, const std::vector<double>& radii,
   return mesh;
 }
 
+PlainMesh BallOfPairs(Index segments, double lowest, double step, double gap)
+{
+  std::vector<double> heights, radii;
+  for (double z = lowest; z < 0.01 - lowest; z += step)
+  {
+    for (const double height : { z, z + gap })
+    {
+      heights.push_back(height);
+      radii.push_back(std::sqrt(1.0 - height * height));
+    }
+  }
+  return RingMesh(segments, radii, heights, -1.0, 1.0);
+}
+
 SurfaceMesh RingSurface(
   const PlainMesh& mesh, Index segments, const std::vector<double>& heights, double room)
 {

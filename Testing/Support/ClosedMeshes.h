@@ -45,6 +45,10 @@ PlainMesh TorusMesh(Index around, Index across);
 PlainMesh RingMesh(Index segments, const std::vector<double>& radii,
   const std::vector<double>& heights, double bottom, double top);
 
+/// A ball of radius 1 whose rings, as in RingMesh, lie in pairs: `step` apart, from `lowest` on, and
+/// `gap` within a pair.
+PlainMesh BallOfPairs(Index segments, double lowest, double step, double gap);
+
 /**
  * A mesh whose rings, as in RingMesh, are contours on z-slices: fixed, marked as curves, with cells
  * between them. Cells are as wide as `room` around the z axis, and the outermost ones reach `room`

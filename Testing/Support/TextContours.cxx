@@ -160,7 +160,8 @@ std::string ToText(const PieceSets& sets)
   return text.str();
 }
 
-void AddContour(Contours& contours, const std::vector<std::array<double, 2>>& vertices)
+void AddContour(
+  Contours& contours, const std::vector<std::array<double, 2>>& vertices, double plane)
 {
   for (const auto& vertex : vertices)
   {
@@ -169,8 +170,20 @@ void AddContour(Contours& contours, const std::vector<std::array<double, 2>>& ve
   }
   contours.Offsets.push_back(static_cast<Index>(contours.U.size()));
   contours.Axis.push_back(2);
-  contours.Coordinate.push_back(0.0);
+  contours.Coordinate.push_back(plane);
   contours.Cell.push_back(contours.Count() - 1);
+}
+
+bool HasVertex(const Contours& contours, const std::array<double, 2>& place)
+{
+  for (std::size_t i = 0; i < contours.U.size(); ++i)
+  {
+    if (contours.U[i] == place[0] && contours.V[i] == place[1])
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 void AddPiece(Pieces& pieces, const std::vector<std::array<double, 2>>& vertices, double plane)

@@ -42,8 +42,12 @@ Contours ParseContours(const std::string& text);
 /// The text that gives the same pieces, with all digits.
 std::string ToText(const PieceSets& pieces);
 
-/// Appends a contour on z = 0 and numbers its cell.
-void AddContour(Contours& contours, const std::vector<std::array<double, 2>>& vertices);
+/// Appends a contour on a plane across z and numbers its cell.
+void AddContour(
+  Contours& contours, const std::vector<std::array<double, 2>>& vertices, double plane = 0.0);
+
+/// Whether any of the contours has a vertex there.
+bool HasVertex(const Contours& contours, const std::array<double, 2>& place);
 
 /// Appends a closed piece and numbers its cell.
 void AddPiece(Pieces& pieces, const std::vector<std::array<double, 2>>& vertices, double plane);

@@ -55,6 +55,16 @@ void AppendContours(const Contours& added, Contours& contours)
   }
 }
 
+std::vector<Contours*> PointersTo(std::vector<Contours>& structures)
+{
+  std::vector<Contours*> pointers;
+  for (Contours& contours : structures)
+  {
+    pointers.push_back(&contours);
+  }
+  return pointers;
+}
+
 std::vector<std::vector<Index>> GroupBySlice(const Contours& contours)
 {
   std::vector<Index> order(contours.Count());

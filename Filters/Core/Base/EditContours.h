@@ -17,6 +17,9 @@ void RemoveMarked(const std::vector<std::uint8_t>& marked, Contours& contours);
 /// Appends contours. They are real where `contours` has some that are virtual.
 void AppendContours(const Contours& added, Contours& contours);
 
+/// For what changes the contours of several structures together.
+std::vector<Contours*> PointersTo(std::vector<Contours>& structures);
+
 /// The contours of each slice, in their order; slices by axis and plane.
 std::vector<std::vector<Index>> GroupBySlice(const Contours& contours);
 

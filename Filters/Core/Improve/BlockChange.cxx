@@ -4,39 +4,12 @@
 
 #include "Core/Improve/MakesFold.h"
 
-#include <cstring>
+#include <algorithm>
 
 namespace orthoslices
 {
 namespace
 {
-template <typename Value>
-void Append(const std::vector<Value>& values, Ranks::Bytes& bytes)
-{
-  const std::size_t count = values.size(), at = bytes.size();
-  bytes.resize(at + sizeof(count) + count * sizeof(Value));
-  std::memcpy(&bytes[at], &count, sizeof(count));
-  if (count > 0)
-  {
-    std::memcpy(&bytes[at + sizeof(count)], values.data(), count * sizeof(Value));
-  }
-}
-
-/// Reads what was appended, from a place on, and moves that behind it.
-template <typename Value>
-void Read(const Ranks::Bytes& bytes, std::size_t& at, std::vector<Value>& values)
-{
-  std::size_t count = 0;
-  std::memcpy(&count, &bytes[at], sizeof(count));
-  at += sizeof(count);
-  values.resize(count);
-  if (count > 0)
-  {
-    std::memcpy(values.data(), &bytes[at], count * sizeof(Value));
-  }
-  at += count * sizeof(Value);
-}
-
 /// Lists changes of one block.
 class ChangeLister
 {
@@ -78,7 +51,7 @@ private:
       : this->TriangleInWhole(this->Mesh.Origins[triangle - this->Given.Triangles]);
   }
   bool IsCurve(Index corner) const;
-  bool IsFolded(Index triangle) const;
+  bool HasFold(Index triangle) const;
   void AddTriangle(Index triangle);
   void AddMarks(Index triangle);
   void AddPoint(Index point);
@@ -101,13 +74,15 @@ bool ChangeLister::IsCurve(Index corner) const
                                          : this->Whole.Corners.IsCurve(this->CornerInWhole(across));
 }
 
-bool ChangeLister::IsFolded(Index triangle) const
+/// Whether a triangle is folded onto one with a greater number. Those of the block ascend as those
+/// of the whole do.
+bool ChangeLister::HasFold(Index triangle) const
 {
   const CornerTable& corners = this->Mesh.Corners;
   for (Index corner = 3 * triangle; corner < 3 * triangle + 3; ++corner)
   {
-    if (this->CornerInWhole(corners.OppositeOf(corner)) > this->CornerInWhole(corner) &&
-      orthoslices::IsFolded(corners, this->Mesh.Points, corner) && !this->IsCurve(corner))
+    if (corners.OppositeOf(corner) > corner && IsFolded(corners, this->Mesh.Points, corner) &&
+      !this->IsCurve(corner))
     {
       return true;
     }
@@ -141,7 +116,7 @@ void ChangeLister::AddMarks(Index triangle)
   const std::uint8_t tried = isNew ? 0 : this->Marks.Tried[number];
   const std::uint8_t folded = isNew ? 0 : this->Marks.IsFolded[number];
   ChangedMarks changed{ number, tried,
-    this->IsFolded(triangle) ? std::uint8_t(1) : std::uint8_t(0) };
+    this->HasFold(triangle) ? std::uint8_t(1) : std::uint8_t(0) };
   if (this->Improver.IsOpen(triangle))
   {
     changed.Tried = 0;
@@ -232,35 +207,68 @@ void BlockChange::Renumber(const Counts& there, const Counts& before)
   }
 }
 
-void ExchangeChanges(const Ranks& ranks, const int* rankOfChange, std::vector<BlockChange>& changes)
+namespace
 {
-  Ranks::Bytes own;
+/// What is new of a change, and how long its lists are.
+struct Sizes
+{
+  BlockChange::Counts New;
+  std::size_t Triangles, Points, Marks, Samples;
+};
+
+/// Gives all processes one list of each change, once the lists have the room for it.
+template <typename Value>
+void ExchangeLists(const Ranks& ranks, const int* rankOfChange,
+  std::vector<Value> BlockChange::*list, std::vector<BlockChange>& changes)
+{
+  std::vector<Value> own;
   for (std::size_t i = 0; i < changes.size(); ++i)
   {
     if (rankOfChange[i] == ranks.Rank)
     {
-      Append(std::vector<BlockChange::Counts>{ changes[i].New }, own);
-      Append(changes[i].Triangles, own);
-      Append(changes[i].Points, own);
-      Append(changes[i].Marks, own);
-      Append(changes[i].Samples, own);
+      const std::vector<Value>& values = changes[i].*list;
+      own.insert(own.end(), values.begin(), values.end());
     }
   }
-  const std::vector<Ranks::Bytes> all = ranks.Gather(own);
-  std::vector<std::size_t> at(all.size(), 0);
-  std::vector<BlockChange::Counts> counts;
+  const std::vector<std::vector<Value>> all = GatherValues(ranks, own);
+  std::vector<std::ptrdiff_t> next(all.size(), 0);
   for (std::size_t i = 0; i < changes.size(); ++i)
   {
-    const std::size_t rank = static_cast<std::size_t>(rankOfChange[i]);
-    if (rankOfChange[i] != ranks.Rank)
+    const int rank = rankOfChange[i];
+    std::vector<Value>& values = changes[i].*list;
+    std::copy_n(all[rank].begin() + next[rank], values.size(), values.begin());
+    next[rank] += static_cast<std::ptrdiff_t>(values.size());
+  }
+}
+}
+
+void ExchangeChanges(const Ranks& ranks, const int* rankOfChange, std::vector<BlockChange>& changes)
+{
+  std::vector<Sizes> own;
+  for (std::size_t i = 0; i < changes.size(); ++i)
+  {
+    const BlockChange& change = changes[i];
+    if (rankOfChange[i] == ranks.Rank)
     {
-      Read(all[rank], at[rank], counts);
-      changes[i].New = counts.front();
-      Read(all[rank], at[rank], changes[i].Triangles);
-      Read(all[rank], at[rank], changes[i].Points);
-      Read(all[rank], at[rank], changes[i].Marks);
-      Read(all[rank], at[rank], changes[i].Samples);
+      own.push_back({ change.New, change.Triangles.size(), change.Points.size(),
+        change.Marks.size(), change.Samples.size() });
     }
   }
+  const std::vector<std::vector<Sizes>> all = GatherValues(ranks, own);
+  std::vector<std::size_t> next(all.size(), 0);
+  for (std::size_t i = 0; i < changes.size(); ++i)
+  {
+    const int rank = rankOfChange[i];
+    const Sizes& sizes = all[rank][next[rank]++];
+    changes[i].New = sizes.New;
+    changes[i].Triangles.resize(sizes.Triangles);
+    changes[i].Points.resize(sizes.Points);
+    changes[i].Marks.resize(sizes.Marks);
+    changes[i].Samples.resize(sizes.Samples);
+  }
+  ExchangeLists(ranks, rankOfChange, &BlockChange::Triangles, changes);
+  ExchangeLists(ranks, rankOfChange, &BlockChange::Points, changes);
+  ExchangeLists(ranks, rankOfChange, &BlockChange::Marks, changes);
+  ExchangeLists(ranks, rankOfChange, &BlockChange::Samples, changes);
 }
 }

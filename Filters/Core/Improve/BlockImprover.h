@@ -79,14 +79,14 @@ private:
   std::vector<Index> TouchedAt; ///< of each point: the last operation beside it
   /// Of each triangle: when nothing helped it, by Means.
   std::vector<std::array<Index, MeansCount>> FailedAt;
-  std::vector<std::uint8_t>
-    CutShort;       ///< of each triangle: whether what might help it would leave the block
-  Index Listed = 0; ///< counts lists of open triangles
+  /// Of each triangle: whether what might help it would leave the block.
+  std::vector<std::uint8_t> CutShort;
+  Index Listed = 0;            ///< counts lists of open triangles
   std::vector<Index> ListedAt; ///< of each triangle: the last one that it is in
   std::vector<Index> Open;     ///< triangles to be looked at
   std::vector<std::uint8_t> IsWanted;
   std::vector<Index> Wanted; ///< triangles that have been to be looked at
-  std::vector<Index> Asked;  ///< triangles that are free and were not tried, with folds
+  std::vector<Index> Asked;  ///< free triangles that are to be looked at for folds
   std::size_t TrianglesAtFirst;
 };
 }

@@ -85,18 +85,26 @@ void OperationFinder::AddFlip(Index corner)
   }
 }
 
-void OperationFinder::AddCollapse(Index corner)
+/// Whether the start of a corner's edge may move into its end, however triangles turn, if none gets a
+/// quality below that share of the least one before.
+bool OperationFinder::MayMerge(Index corner, double shareOfQuality)
 {
   const CornerTable& corners = this->State.Mesh.Corners;
   const Index start = corners.StartOf(corner), end = corners.EndOf(corner);
-  double quality = 1.0;
-  PointStar& star = this->Stars[0];
   if (start < this->State.Block.Kept || !corners.CanCollapse(corner))
   {
-    return;
+    return false;
   }
+  PointStar& star = this->Stars[0];
   star.Set(corners, this->State.Mesh.Points, start);
-  if (star.Try({ this->State.At(end), end, 0.0, AnyTurn }, quality) && this->IsNear(star))
+  double quality = 1.0;
+  return star.Try({ this->State.At(end), end, shareOfQuality * star.Quality, AnyTurn }, quality) &&
+    this->IsNear(star);
+}
+
+void OperationFinder::AddCollapse(Index corner)
+{
+  if (this->MayMerge(corner, 0.0))
   {
     this->AddUnfolding({ LocalOperation::Kind::Collapse, corner, -1, {}, 0.0 });
   }
@@ -176,17 +184,8 @@ bool OperationFinder::FindMerge(Index corner, LocalOperation& found)
   this->IsCutShort = false;
   for (const Index side : { corner, corners.OppositeOf(corner) })
   {
-    const Index start = corners.StartOf(side), end = corners.EndOf(side);
-    PointStar& star = this->Stars[0];
-    double quality = 1.0;
-    if (start < this->State.Block.Kept || !corners.CanCollapse(side))
-    {
-      continue;
-    }
-    star.Set(corners, this->State.Mesh.Points, start);
     found = { LocalOperation::Kind::Collapse, side, -1, {}, 0.0 };
-    if (star.Try({ this->State.At(end), end, star.Quality, AnyTurn }, quality) &&
-      this->IsNear(star) && this->IsAllowed(found, true))
+    if (this->MayMerge(side, 1.0) && this->IsAllowed(found, true))
     {
       std::swap(found.Change, this->Change);
       return true;

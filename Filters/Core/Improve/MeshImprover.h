@@ -25,7 +25,7 @@ namespace orthoslices
  * again with faces elsewhere, until each triangle has been looked at with all that is around it.
  * Neither blocks nor their order depend on the number of threads, so the result does not either.
  * Several processes that have the same surface improve it together: each does so with some of the
- * blocks, and hands on what has changed.
+ * blocks, and hands on what has changed. The mesh's table has no opposite corners afterwards.
  */
 class MeshImprover
 {

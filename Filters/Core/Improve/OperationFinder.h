@@ -112,6 +112,7 @@ private:
   void ListUnfolding(Index corner);
   void AddUnfolding(LocalOperation operation);
   void AddFlip(Index corner);
+  bool MayMerge(Index corner, double shareOfQuality);
   void AddCollapse(Index corner);
   void AddMoves(Index point, const Point3& across);
   void DescribeStar(Index point, Index gone, Index becomes);

@@ -105,9 +105,9 @@ void StretchLoop(
   const double spacings = isAtEdge ? SpacingsOfRadiusAtEdge : SpacingsOfRadius;
   const double spacing = geometry.Grid.MeanSpacing(axis);
   const LoopSize size = MeasureLoop(graph, mesh.Metric, loop);
-  const double needed =
+  const double wanted =
     std::min(spacings / size.Thickness(), MaxSpacingsOfLength / size.Length) * spacing;
-  const double stretch = std::clamp(needed, 1.0, isOnly ? MaxStretch : MaxStretchOfTwo);
+  const double stretch = std::clamp(wanted, 1.0, isOnly ? MaxStretch : MaxStretchOfTwo);
   Point3 within{ stretch, stretch, stretch };
   within[axis] = 1.0;
   std::fill_n(mesh.Stretch.begin() + first, graph.PointCount(graph.Arcs + loop), within);

@@ -100,9 +100,10 @@ void SplitEdge(Index corner, double share, SurfaceMesh& mesh);
  * decide whether it does there or within a rim farther out (RaiseEnds). At creases, too, points of
  * a contour are stretched by what makes its thickness (twice its area by its length: the radius of
  * a circle) 0.85 of the mean spacing, or 3 spacings at a crease, between 1 and 16 times and until
- * the contour looks 20 spacings long; other points along each axis as the one beside them that is stretched most. With two families this
- * holds for contours between the planes of the other one, up to twice; and along the missing axis
- * points of a patch stay within half the greater spacing of where they were.
+ * the contour looks 20 spacings long; other points along each axis as the one beside them that is
+ * stretched most. With two families this holds for contours between the planes of the other one, up
+ * to twice; and along the missing axis points of a patch stay within half the greater spacing of
+ * where they were.
  * REQUIRES: the patches are laid out as triangles.
  */
 SurfaceMesh MakeSurfaceMesh(const CycleGeometry& geometry, const Patches& patches,

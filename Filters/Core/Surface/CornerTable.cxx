@@ -307,7 +307,6 @@ void CornerTable::Grow(Index points, Index triangles)
   this->Curve.resize(this->Vertex.size(), 0);
 }
 
-/// Puts back a triangle that is there yet and whose corners are inner points.
 void CornerTable::Put(
   Index triangle, const std::array<Index, 3>& vertices, const std::array<std::uint8_t, 3>& curves)
 {

@@ -18,16 +18,7 @@ namespace
 /// A ball of radius 1 whose rings of 16 points lie alternately close together and much more apart.
 ImprovableMesh BallOfPairs()
 {
-  std::vector<double> heights, radii;
-  for (double z = -0.75; z < 0.8; z += 0.25)
-  {
-    for (const double height : { z, z + 0.004 })
-    {
-      heights.push_back(height);
-      radii.push_back(std::sqrt(1.0 - height * height));
-    }
-  }
-  const PlainMesh mesh = RingMesh(16, radii, heights, -1.0, 1.0);
+  const PlainMesh mesh = support::BallOfPairs(16, -0.75, 0.25, 0.004);
   const Index count = static_cast<Index>(mesh.Points.size());
   return { CornerTable(count, mesh.Triangles), mesh.Points, mesh.Points };
 }

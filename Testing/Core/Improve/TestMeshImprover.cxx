@@ -20,20 +20,8 @@ using namespace orthoslices::support;
 
 namespace
 {
-/// A ball of radius 1 whose rings of 16 points lie alternately `gap` and much more apart.
-PlainMesh BallOfPairs(double gap)
-{
-  std::vector<double> heights, radii;
-  for (double z = -0.75; z < 0.8; z += 0.25)
-  {
-    for (const double height : { z, z + gap })
-    {
-      heights.push_back(height);
-      radii.push_back(std::sqrt(1.0 - height * height));
-    }
-  }
-  return RingMesh(16, radii, heights, -1.0, 1.0);
-}
+/// Rings of 16 points that lie alternately `gap` and much more apart.
+PlainMesh BallOfPairs(double gap) { return support::BallOfPairs(16, -0.75, 0.25, gap); }
 
 ImprovableMesh Improvable(const PlainMesh& mesh)
 {
@@ -181,19 +169,7 @@ TEST(MeshImprover, TheSameForAnyNumberOfThreads)
 namespace
 {
 /// A ball whose rings of points lie alternately close together and apart, as slivers all over it.
-PlainMesh LargeBallOfPairs()
-{
-  std::vector<double> heights, radii;
-  for (double z = -0.96; z < 0.97; z += 0.05)
-  {
-    for (const double height : { z, z + 0.002 })
-    {
-      heights.push_back(height);
-      radii.push_back(std::sqrt(1.0 - height * height));
-    }
-  }
-  return RingMesh(120, radii, heights, -1.0, 1.0);
-}
+PlainMesh LargeBallOfPairs() { return support::BallOfPairs(120, -0.96, 0.05, 0.002); }
 }
 
 //----------------------------------------------------------------------------

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Labels/ClearLines.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/Labels/ShareBorders.h"
 #include "Core/Labels/SideMeetings.h"
 #include "Core/Labels/SliceMembers.h"
+#include "Support/TextContours.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +14,7 @@
 #include <cmath>
 
 using namespace orthoslices;
+using namespace orthoslices::support;
 
 namespace
 {
@@ -28,41 +31,18 @@ SpatialGrid MakeGrid()
 Contours MakeContour(const std::vector<Point2>& corners)
 {
   Contours contours;
-  for (const Point2& p : corners)
-  {
-    contours.U.push_back(p[0]);
-    contours.V.push_back(p[1]);
-  }
-  contours.Offsets.push_back(static_cast<Index>(contours.U.size()));
-  contours.Axis.push_back(2);
-  contours.Coordinate.push_back(1.0);
+  AddContour(contours, corners, 1.0);
   contours.Plane.push_back(0);
-  contours.Cell.push_back(7);
+  contours.Cell.back() = 7;
   return contours;
 }
 
 /// Contours cleared, and traced anew.
 void Clear(std::vector<Contours>& structures)
 {
-  std::vector<Contours*> all;
-  for (Contours& contours : structures)
-  {
-    all.push_back(&contours);
-  }
+  const std::vector<Contours*> all = PointersTo(structures);
   ClearLines(MakeGrid(), Execution(), all);
   ShareBorders(0.0, {}, Execution(), all);
-}
-
-bool HasVertex(const Contours& contours, const Point2& place)
-{
-  for (std::size_t i = 0; i < contours.U.size(); ++i)
-  {
-    if (contours.U[i] == place[0] && contours.V[i] == place[1])
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 /// The vertices on the line; fails if others are close to it.

@@ -3,6 +3,7 @@
 #include "Core/Labels/ShareBorders.h"
 
 #include "Core/Base/EditContours.h"
+#include "Support/TextContours.h"
 
 #include <gtest/gtest.h>
 
@@ -10,21 +11,14 @@
 #include <cmath>
 
 using namespace orthoslices;
+using support::HasVertex;
 
 namespace
 {
 void AddContour(const std::vector<Point2>& corners, Contours& contours)
 {
-  for (const Point2& p : corners)
-  {
-    contours.U.push_back(p[0]);
-    contours.V.push_back(p[1]);
-  }
-  contours.Offsets.push_back(static_cast<Index>(contours.U.size()));
-  contours.Axis.push_back(2);
-  contours.Coordinate.push_back(1.0);
+  support::AddContour(contours, corners, 1.0);
   contours.Plane.push_back(0);
-  contours.Cell.push_back(contours.Count() - 1);
 }
 
 Contours Rectangle(double left, double low, double right, double high)
@@ -37,24 +31,7 @@ Contours Rectangle(double left, double low, double right, double high)
 SharedBorders Share(
   std::vector<Contours>& structures, double thickness = 0.01, const StructureSets& allowed = {})
 {
-  std::vector<Contours*> pointers;
-  for (Contours& contours : structures)
-  {
-    pointers.push_back(&contours);
-  }
-  return ShareBorders(thickness, allowed, Execution(), pointers);
-}
-
-bool HasVertex(const Contours& contours, const Point2& p)
-{
-  for (std::size_t i = 0; i < contours.U.size(); ++i)
-  {
-    if (contours.U[i] == p[0] && contours.V[i] == p[1])
-    {
-      return true;
-    }
-  }
-  return false;
+  return ShareBorders(thickness, allowed, Execution(), PointersTo(structures));
 }
 
 double AreaOf(const Contours& contours)
