@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Surface/ComponentSeeds.h"
 
-#include "Core/Base/Vectors.h"
+#include "Core/Base/Box.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace orthoslices
 {
@@ -27,16 +28,16 @@ struct SeedLine
   double Nearest = HUGE_VAL; ///< how far it is to the surface
 };
 
-/// Parts of the triangles that are looked at by themselves: few, as each has a line for each
+/// Parts of the triangles that are looked at by themselves: few, as each has a value for each
 /// component.
 constexpr std::int64_t Parts = 16;
 
-/// Lines, as parts of so many triangles change them by visit(triangle, lines).
-template <typename Visit>
-std::vector<std::vector<SeedLine>> FindInParts(
-  std::int64_t count, const std::vector<SeedLine>& lines, const Execution& execution, Visit&& visit)
+/// Values of all components, as parts of so many triangles change them by visit(triangle, values).
+template <typename Value, typename Visit>
+std::vector<std::vector<Value>> FindInParts(
+  std::int64_t count, const std::vector<Value>& values, const Execution& execution, Visit&& visit)
 {
-  std::vector<std::vector<SeedLine>> parts(Parts, lines);
+  std::vector<std::vector<Value>> parts(Parts, values);
   execution.For(Parts,
     [&](std::size_t begin, std::size_t end)
     {
@@ -75,18 +76,10 @@ double AreaAlong(int axis, const Point3& a, const Point3& b, const Point3& c)
   return (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
 }
 
-/// Shortens a line to where it meets a triangle. Its border counts.
-void Meet(const Triangle& triangle, SeedLine& line)
+/// How far it is along a line, which passes through its box, to where it meets a triangle, whose
+/// border counts; infinite if it does not.
+double DistanceTo(const Triangle& triangle, const SeedLine& line)
 {
-  for (const int axis : { FirstAxis(line.Axis), SecondAxis(line.Axis) })
-  {
-    const auto [low, high] =
-      std::minmax({ triangle[0][axis], triangle[1][axis], triangle[2][axis] });
-    if (line.Start[axis] < low || line.Start[axis] > high)
-    {
-      return;
-    }
-  }
   Point3 shares;
   for (int i = 0; i < 3; ++i)
   {
@@ -96,7 +89,7 @@ void Meet(const Triangle& triangle, SeedLine& line)
   const auto [least, greatest] = std::minmax({ shares[0], shares[1], shares[2] });
   if ((least < 0.0 && greatest > 0.0) || sum == 0.0)
   {
-    return;
+    return HUGE_VAL;
   }
   double height = 0.0;
   for (int i = 0; i < 3; ++i)
@@ -104,8 +97,115 @@ void Meet(const Triangle& triangle, SeedLine& line)
     height += shares[i] / sum * triangle[i][line.Axis];
   }
   const double distance = line.Sign * (height - line.Start[line.Axis]);
-  line.Nearest = distance > 0.0 ? std::min(line.Nearest, distance) : line.Nearest;
+  return distance > 0.0 ? distance : HUGE_VAL;
 }
+
+/// The lines along one axis in squares of a grid across it, about as many as there are lines: a
+/// triangle is compared with the lines beside it alone, however many components there are.
+class LineGrid
+{
+public:
+  LineGrid(const std::vector<SeedLine>& lines, int axis)
+    : Axes{ FirstAxis(axis), SecondAxis(axis) }
+  {
+    std::vector<std::size_t> own;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+      if (lines[i].Axis == axis && lines[i].Extent != 0.0)
+      {
+        own.push_back(i);
+        for (int side = 0; side < 2; ++side)
+        {
+          const double value = lines[i].Start[this->Axes[side]];
+          this->Low[side] = std::min(this->Low[side], value);
+          this->High[side] = std::max(this->High[side], value);
+        }
+      }
+    }
+    this->Count = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(own.size()))));
+    this->Sort(own, lines);
+  }
+
+  /// Calls visit(line) for each line that passes through a box.
+  template <typename Visit>
+  void VisitThrough(const Box3& box, Visit&& visit) const
+  {
+    const auto& [low, high] = box;
+    std::array<std::array<std::size_t, 2>, 2> range; // of squares, on both sides
+    for (int side = 0; side < 2; ++side)
+    {
+      const int axis = this->Axes[side];
+      if (this->Count == 0 || high[axis] < this->Low[side] || low[axis] > this->High[side])
+      {
+        return;
+      }
+      range[side] = { this->SquareOf(side, low[axis]), this->SquareOf(side, high[axis]) };
+    }
+    for (std::size_t row = range[1][0]; row <= range[1][1]; ++row)
+    {
+      const std::size_t first = row * this->Count;
+      for (std::size_t i = this->Offsets[first + range[0][0]];
+           i < this->Offsets[first + range[0][1] + 1]; ++i)
+      {
+        const GridLine& line = this->Lines[i];
+        if (low[this->Axes[0]] <= line.Position[0] && line.Position[0] <= high[this->Axes[0]] &&
+          low[this->Axes[1]] <= line.Position[1] && line.Position[1] <= high[this->Axes[1]])
+        {
+          visit(line.Line);
+        }
+      }
+    }
+  }
+
+private:
+  struct GridLine
+  {
+    std::array<double, 2> Position;
+    std::size_t Line;
+  };
+
+  /// The same for equal values and ascending with them, so that no line is missed.
+  std::size_t SquareOf(int side, double value) const
+  {
+    const double width = this->High[side] - this->Low[side];
+    const double share = width > 0.0 ? (value - this->Low[side]) / width : 0.0;
+    const double last = static_cast<double>(this->Count - 1);
+    return static_cast<std::size_t>(
+      std::clamp(share * static_cast<double>(this->Count), 0.0, last));
+  }
+
+  /// Counting sort of lines by their squares.
+  void Sort(const std::vector<std::size_t>& own, const std::vector<SeedLine>& lines)
+  {
+    const auto squareOf = [&](std::size_t line)
+    {
+      const Point3& start = lines[line].Start;
+      return this->SquareOf(1, start[this->Axes[1]]) * this->Count +
+        this->SquareOf(0, start[this->Axes[0]]);
+    };
+    this->Offsets.assign(this->Count * this->Count + 1, 0);
+    for (const std::size_t line : own)
+    {
+      ++this->Offsets[squareOf(line) + 1];
+    }
+    std::partial_sum(this->Offsets.begin(), this->Offsets.end(), this->Offsets.begin());
+    std::vector<std::size_t> next(this->Offsets.begin(), this->Offsets.end() - 1);
+    this->Lines.resize(own.size());
+    for (const std::size_t line : own)
+    {
+      const Point3& start = lines[line].Start;
+      this->Lines[next[squareOf(line)]++] = { { start[this->Axes[0]], start[this->Axes[1]] },
+        line };
+    }
+  }
+
+  std::array<int, 2> Axes;
+  std::array<double, 2> Low{ HUGE_VAL, HUGE_VAL };
+  std::array<double, 2> High{ -HUGE_VAL, -HUGE_VAL };
+  std::size_t Count = 0; ///< of squares on each side
+  std::vector<std::size_t> Offsets;
+  std::vector<GridLine> Lines;
+};
 
 /// Of each component the line of the process whose triangle is the widest, the first of these if
 /// several are as wide: the one that a single process takes.
@@ -173,6 +273,42 @@ Point3 SeedOn(const SeedLine& line)
   seed[line.Axis] += 0.5 * line.Sign * line.Nearest;
   return seed;
 }
+
+/// Finds on each line how far it is to the surface.
+template <typename TriangleAt>
+void FindNearest(std::int64_t triangleCount, const TriangleAt& triangleAt,
+  const Execution& execution, std::vector<SeedLine>& lines)
+{
+  const std::array<LineGrid, 3> grids{ LineGrid(lines, 0), LineGrid(lines, 1), LineGrid(lines, 2) };
+  const auto meet = [&](std::int64_t i, std::vector<double>& nearest)
+  {
+    const Triangle triangle = triangleAt(i);
+    Box3 box;
+    for (const Point3& corner : triangle)
+    {
+      box.Add(corner);
+    }
+    for (const LineGrid& grid : grids)
+    {
+      grid.VisitThrough(box,
+        [&](std::size_t line)
+        {
+          if (lines[line].Triangle != i)
+          {
+            nearest[line] = std::min(nearest[line], DistanceTo(triangle, lines[line]));
+          }
+        });
+    }
+  };
+  const std::vector<double> none(lines.size(), HUGE_VAL);
+  for (const auto& part : FindInParts(triangleCount, none, execution, meet))
+  {
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+      lines[i].Nearest = std::min(lines[i].Nearest, part[i]);
+    }
+  }
+}
 }
 
 template <typename Coordinate, typename Id>
@@ -213,24 +349,7 @@ std::vector<Point3> FindSeeds(const Coordinate* points, const Id* triangles,
     const bool isCavity = measures[i].Volume < 0.0;
     lines[i].Sign = (lines[i].Extent > 0.0) == isCavity ? 1 : -1;
   }
-  const auto meet = [&](std::int64_t i, std::vector<SeedLine>& ofPart)
-  {
-    const Triangle triangle = triangleAt(i);
-    for (SeedLine& line : ofPart)
-    {
-      if (line.Triangle != i)
-      {
-        Meet(triangle, line);
-      }
-    }
-  };
-  for (const auto& part : FindInParts(triangleCount, lines, execution, meet))
-  {
-    for (std::size_t i = 0; i < lines.size(); ++i)
-    {
-      lines[i].Nearest = std::min(lines[i].Nearest, part[i].Nearest);
-    }
-  }
+  FindNearest(triangleCount, triangleAt, execution, lines);
   ChooseNearest(ranks, lines);
   std::vector<Point3> seeds;
   for (const SeedLine& line : lines)

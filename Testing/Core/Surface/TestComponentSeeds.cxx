@@ -9,12 +9,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace orthoslices;
 
 namespace
 {
-/// Boxes around the origin, outwards or inwards, one component each.
+/// Boxes, outwards or inwards, one component each.
 struct Boxes
 {
   std::vector<double> Points;
@@ -22,14 +23,14 @@ struct Boxes
   std::vector<int> Components;
   int Count = 0;
 
-  void Add(double half, bool isCavity)
+  void Add(double half, bool isCavity, const Point3& middle = { 0.0, 0.0, 0.0 })
   {
     const std::int32_t first = static_cast<std::int32_t>(this->Points.size() / 3);
     for (int i = 0; i < 8; ++i)
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        this->Points.push_back((i >> axis & 1) != 0 ? half : -half);
+        this->Points.push_back(middle[axis] + ((i >> axis & 1) != 0 ? half : -half));
       }
     }
     for (int axis = 0; axis < 3; ++axis)
@@ -86,6 +87,30 @@ TEST(ComponentSeeds, OneInEachRegionBesideItsComponent)
   EXPECT_GT(Depth(seeds[1]), 0.25);
   EXPECT_LT(Depth(seeds[1]), 0.5);
   EXPECT_LT(Depth(seeds[2]), 0.25);
+}
+
+//----------------------------------------------------------------------------
+// Lines of all components cross each other's triangles: each ends at the next one, wherever it lies.
+TEST(ComponentSeeds, BesideTheirComponentsAmongHundreds)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> offset(-0.05, 0.05);
+  std::vector<Point3> middles;
+  Boxes boxes;
+  for (int i = 0; i < 7 * 8 * 9; ++i)
+  {
+    middles.push_back(
+      { i % 7 + offset(random), i / 7 % 8 + offset(random), 1e3 + i / 56 + offset(random) });
+    boxes.Add(0.4, false, middles.back());
+    boxes.Add(0.3, true, middles.back());
+  }
+  const std::vector<Point3> seeds = boxes.Seeds();
+  ASSERT_EQ(seeds.size(), 2 * middles.size());
+  for (std::size_t i = 0; i < middles.size(); ++i)
+  {
+    EXPECT_NEAR(Depth(seeds[2 * i] - middles[i]), 0.35, 1e-9) << i;
+    EXPECT_NEAR(Depth(seeds[2 * i + 1] - middles[i]), 0.1, 1e-9) << i; // halfway through the cavity
+  }
 }
 
 //----------------------------------------------------------------------------
