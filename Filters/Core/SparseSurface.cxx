@@ -12,9 +12,13 @@
 #include "Core/Sparse/FieldSlices.h"
 #include "Core/Sparse/SelectContours.h"
 #include "Core/Sparse/VirtualSlices.h"
+#include "Core/Surface/TotalCurvature.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <functional>
+#include <limits>
+#include <optional>
 
 namespace orthoslices
 {
@@ -29,7 +33,42 @@ struct SecondSurface
   Box3 Bounds;                       ///< of the surface, besides those of the grid
   std::vector<std::uint8_t> Guiding; ///< see Reconstruction
   int Attempts = 1;
+  /// If surfaces that are not right may be of use, too: of the same components, and about as many
+  /// handles.
+  std::optional<SurfaceTopology> Like{};
 };
+
+/// The surface of a stack with slices across, if it is not at once the right one.
+struct StackSurface
+{
+  Reconstruction Result;
+  Index Handles; ///< more or less than those of the stack alone
+};
+
+/// A surface with other handles than it should have is better only if it has less than that share of
+/// another one's TotalCurvature: notches and folds show in that.
+constexpr double ShareOfFairer = 0.9;
+
+/// How many components have contours across an axis: those with node points, and with isolated
+/// contours of the other families.
+Index CountAcross(int axis, const NodeGraph& graph)
+{
+  std::vector<std::uint8_t> isAcross(graph.Components, 0);
+  for (Index node = 0; node < graph.Nodes; ++node)
+  {
+    isAcross[graph.Component[node]] = 1;
+  }
+  for (std::size_t loop = 0; loop < graph.Loops.size(); ++loop)
+  {
+    isAcross[graph.Component[graph.Nodes + loop]] |= graph.Loops[loop].Axis != axis ? 1 : 0;
+  }
+  return static_cast<Index>(std::count(isAcross.begin(), isAcross.end(), 1));
+}
+
+double CurvatureOf(const Reconstruction& result, const Execution& execution)
+{
+  return TotalCurvature(ListTriangles(GeometryOf(result), result.Surface, execution));
+}
 
 /// Runs the passes; see MakeSparseSurface.
 class SparseRunner
@@ -51,7 +90,10 @@ private:
   bool Bend(const Reconstruction& base, GuideCurves&& guides);
   bool SketchWithoutField(Pass& pass) const;
   bool FollowField();
+  Index MostComponents();
   bool SketchAndBend();
+  void KeepNearest(Reconstruction&& result, Index handles);
+  void TakeFairer();
   bool RunAgain(SecondSurface&& second);
   bool Stop();
 
@@ -59,6 +101,7 @@ private:
   Pass& First;
   Contours Drawn;              ///< as they are before the first pass
   std::vector<double> Centers; ///< of the first surface, as they are before its sketch, if any
+  std::optional<StackSurface> OfStack;
 };
 
 bool SparseRunner::Stop()
@@ -208,19 +251,35 @@ bool SparseRunner::RunAgain(SecondSurface&& second)
     {
       return this->Stop();
     }
-    if (second.IsRight(again.Result.Topology))
+    const SurfaceTopology found = again.Result.Topology;
+    const bool isRight = second.IsRight(found), isTaken = isRight && !(second.Like && attempt > 0);
+    const bool goesOn = !isRight && RemoveMended(again.OfVirtual, again.Result.Grid, second.Added);
+    TakeReport(first, leftOut, again.Result);
+    again.Result.Guiding = second.Guiding;
+    if (isTaken)
     {
-      TakeReport(first, leftOut, again.Result);
-      again.Result.Guiding = std::move(second.Guiding);
       first = std::move(again.Result);
       return true;
     }
-    if (!RemoveMended(again.OfVirtual, again.Result.Grid, second.Added))
+    if (second.Like && found.Components == second.Like->Components)
+    {
+      this->KeepNearest(std::move(again.Result), std::abs(found.Genus - second.Like->Genus));
+    }
+    if (!goesOn)
     {
       return false;
     }
   }
   return false;
+}
+
+/// Keeps the surface that has the least handles more or less than the stack.
+void SparseRunner::KeepNearest(Reconstruction&& result, Index handles)
+{
+  if (!this->OfStack || handles < this->OfStack->Handles)
+  {
+    this->OfStack = { std::move(result), handles };
+  }
 }
 
 /// Makes the surface anew, with virtual slices of `base` that bends through the guides: with all of
@@ -235,14 +294,22 @@ bool SparseRunner::Bend(const Reconstruction& base, GuideCurves&& guides)
                         this->First.Settings.Patching.CornerAngle },
       this->Sparse.Bending, execution);
   const SurfaceTopology wanted = base.Topology;
+  std::optional<SurfaceTopology> like;
+  const PriorKnowledge& expected = this->First.Settings.Known;
+  const bool isOfStack = &base != &this->First.Result;
+  if (isOfStack && expected.Components <= 0 && expected.Genus < 0 &&
+    wanted.Components == this->First.Result.Topology.Components)
+  {
+    like = wanted;
+  }
   // Without planes on which arcs were drawn anew, and then without those on which any were mended.
   // But that a stack hangs together otherwise than all slices together do shall not be made to
   // work.
-  const int attempts = guides.Slices.empty() ? 3 : 1;
+  const int attempts = guides.Slices.empty() || like ? 3 : 1;
   return this->RunAgain(
     { added, TopologyOf(base), [&](const SurfaceTopology& found) { return found == wanted; },
       guides.Slices.empty() ? FlatEndsOf(base) : Everywhere(),
-      ListGuiding(this->First.Settings, guides), attempts });
+      ListGuiding(this->First.Settings, guides), attempts, like });
 }
 
 /// The surface of some of the contours that there would be if there were no field.
@@ -294,8 +361,31 @@ bool SparseRunner::FollowField()
   const bool mayAdd =
     patchesByField >= asGood && DoSlicesAgree(first.Result) && MostPlanes(first.Result.Grid) > 2;
   const FieldTopology right(first, mayAdd);
+  const Index most = this->MostComponents();
+  PriorKnowledge known = right.Known();
+  known.Components = std::min(known.Components, most); // joined where it is undecided
   return this->First.GoOn(1.0) &&
-    this->RunAgain({ added, right.Known(), right, Everywhere(), ListGuiding(first.Settings) });
+    this->RunAgain({ added, known,
+      [&](const SurfaceTopology& found) { return right(found) && found.Components <= most; },
+      Everywhere(), ListGuiding(first.Settings) });
+}
+
+/// A stack with slices across hangs together as the stack alone does, as far as the slices across do
+/// not show parts: cells that are far longer than wide may fall to pieces.
+Index SparseRunner::MostComponents()
+{
+  const int axis = this->Sparse.Bending.StackAxis();
+  if (axis < 0 || this->First.Settings.Known.Components > 0)
+  {
+    return std::numeric_limits<Index>::max();
+  }
+  Pass stack(this->First, SelectAxis(this->Drawn, axis, true));
+  stack.SetShare(ProgressOfPredictions, ProgressOfPredictions);
+  if (!ConnectContours(stack))
+  {
+    this->Stop();
+  }
+  return std::max(stack.Result.Topology.Components, CountAcross(axis, this->First.Result.Graph));
 }
 
 /// Bends what is made of a stack or of all slices. False if nothing comes of that.
@@ -308,7 +398,32 @@ bool SparseRunner::SketchAndBend()
     return false;
   }
   this->First.SetShare(ProgressOfSketch, ProgressOfBending);
-  return this->BendStack() || (!this->First.Result.Stopped && this->BendAll());
+  if (this->BendStack())
+  {
+    return true;
+  }
+  Reconstruction& result = this->First.Result;
+  bool isDone = !result.Stopped && this->BendAll();
+  if (this->OfStack && !result.Stopped)
+  {
+    isDone = isDone || this->FillFirst();
+    this->TakeFairer();
+  }
+  return isDone;
+}
+
+/// Takes the surface of the stack in place of one that is rougher: there slices had nothing in common
+/// to bend between.
+void SparseRunner::TakeFairer()
+{
+  Reconstruction& result = this->First.Result;
+  const double share = this->OfStack->Handles == 0 ? 1.0 : ShareOfFairer;
+  if (!result.Stopped &&
+    CurvatureOf(this->OfStack->Result, this->First.Execute) <
+      share * CurvatureOf(result, this->First.Execute))
+  {
+    result = std::move(this->OfStack->Result);
+  }
 }
 
 bool SparseRunner::Run()

@@ -38,7 +38,8 @@ struct SparseSlices
  *   alone is bent, through the contours of the slices across: how the object hangs together, the
  *   stack says better than cells that are far longer than wide. If the second surface has another
  *   topology than what was bent, virtual slices that contradict real ones are left out, and it is
- *   made again, twice at most; else the first surface is the result.
+ *   made again, twice at most; else the first surface is the result. Of a stack with slices across
+ *   also a second surface with other handles may be, if the first one has more TotalCurvature.
  *
  * REQUIRES: sparse.Any(), of the contours of the pass. False: stopped.
  */

@@ -196,9 +196,16 @@ SurfaceTriangles ListTriangles(
       result.Points.push_back({ values[i], values[i + 1], values[i + 2] });
     }
   };
-  append(geometry.Graph.Points);
-  append(patches.CentralPoints);
-  append(ListOtherPoints(patches));
+  if (patches.Improved.Any())
+  {
+    append(patches.Improved.Points);
+  }
+  else
+  {
+    append(geometry.Graph.Points);
+    append(patches.CentralPoints);
+    append(ListOtherPoints(patches));
+  }
   std::vector<std::int32_t> ids(3 * static_cast<std::size_t>(patches.TriangleCount()));
   WriteTriangles(patches, geometry, execution, ids.data());
   for (std::size_t t = 0; t < ids.size(); t += 3)

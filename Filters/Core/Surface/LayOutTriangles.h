@@ -81,7 +81,7 @@ struct SurfaceTriangles
   std::vector<std::array<Index, 3>> Triangles; ///< counter-clockwise seen from outside
 };
 
-/// REQUIRES: the patches are laid out as triangles, and these not improved.
+/// REQUIRES: the patches are laid out as triangles, which are not a part of all.
 SurfaceTriangles ListTriangles(
   const CycleGeometry& geometry, const Patches& patches, const Execution& execution);
 }
