@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace orthoslices
 {
@@ -16,8 +17,13 @@ namespace
 constexpr double StepsBetweenPlanes = 5.0;
 /// Share of an edge that vertices keep from its ends, so that they are distinct.
 constexpr double Margin = 1e-3;
-/// Zeros are found to within that share of an edge as well, or so many steps.
+/// A zero is where the line through two values is zero, once the field at one of these places is
+/// within that share of an edge of zero: it is then off by about a thousandth. Otherwise after so
+/// many steps.
+constexpr double Near = 0.03;
 constexpr int MostSteps = 6;
+/// Blocks of the lattice are divided down to that many points on each axis.
+constexpr std::size_t SmallestBlock = 2;
 
 struct Lattice
 {
@@ -92,10 +98,50 @@ bool IsFar(const Lattice& lattice, const Block& block, double& value, const Slic
   return std::abs(value) > Length(high - low);
 }
 
-void EvaluateBlock(const SliceField& field, const Block& block, Lattice& lattice)
+/// For each part of a block, of so many points on each axis at most.
+template <class Function>
+void ForBlocks(const Block& block, std::size_t side, Function&& function)
 {
-  double far = 0.0;
-  const bool isFar = IsFar(lattice, block, far, field);
+  Block part;
+  const auto next = [&](int axis, std::size_t from)
+  {
+    part[axis] = { from, std::min(from + side, block[axis][1]) };
+    return from + side;
+  };
+  for (std::size_t k = block[2][0]; k < block[2][1];)
+  {
+    k = next(2, k);
+    for (std::size_t j = block[1][0]; j < block[1][1];)
+    {
+      j = next(1, j);
+      for (std::size_t i = block[0][0]; i < block[0][1];)
+      {
+        i = next(0, i);
+        function(part);
+      }
+    }
+  }
+}
+
+bool HasNeeded(const Lattice& lattice, const Block& block)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto& isPlane = lattice.IsPlane[axis];
+    for (std::size_t i = block[axis][0]; i < block[axis][1]; ++i)
+    {
+      if (isPlane[i] != 0)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void FillBlock(
+  const std::function<double(const Point3&)>& valueAt, const Block& block, Lattice& lattice)
+{
   std::array<std::size_t, 3> at;
   for (at[2] = block[2][0]; at[2] < block[2][1]; ++at[2])
   {
@@ -105,11 +151,34 @@ void EvaluateBlock(const SliceField& field, const Block& block, Lattice& lattice
       {
         if (lattice.IsNeeded(at))
         {
-          lattice.Values[lattice.Number(at)] =
-            isFar ? far : ValueWithin(field, lattice, lattice.Place(at));
+          lattice.Values[lattice.Number(at)] = valueAt(lattice.Place(at));
         }
       }
     }
+  }
+}
+
+/// One value does for a block that is far from the surface; others are divided, down to blocks of
+/// eight points.
+void EvaluateBlock(const SliceField& field, const Block& block, std::size_t side, Lattice& lattice)
+{
+  if (!HasNeeded(lattice, block))
+  {
+    return;
+  }
+  double far = 0.0;
+  if (IsFar(lattice, block, far, field))
+  {
+    FillBlock([far](const Point3&) { return far; }, block, lattice);
+  }
+  else if (side <= SmallestBlock)
+  {
+    FillBlock([&](const Point3& p) { return ValueWithin(field, lattice, p); }, block, lattice);
+  }
+  else
+  {
+    ForBlocks(
+      block, side / 2, [&](const Block& part) { EvaluateBlock(field, part, side / 2, lattice); });
   }
 }
 
@@ -135,7 +204,7 @@ void Evaluate(const SliceField& field, const Execution& execution, Lattice& latt
           block[axis] = { side * number[axis],
             std::min(side * (number[axis] + 1), lattice.Count(axis)) };
         }
-        EvaluateBlock(field, block, lattice);
+        EvaluateBlock(field, block, side, lattice);
       }
     });
 }
@@ -236,22 +305,24 @@ Point2 LayerContours::Cross(std::int64_t edge) const
   const Point3 low = this->Table.Place(this->At(u, v)), high = this->Table.Place(this->At(u2, v2));
   double a = 0.0, b = 1.0, atA = this->Value(u, v), atB = this->Value(u2, v2);
   Point3 place = low;
-  double t = 0.5;
+  const auto cut = [&] { return (a * atB - b * atA) / (atB - atA); };
+  int moved = 0; // the end that was moved last
   for (int i = 0; i < MostSteps; ++i)
   {
-    t = (a * atB - b * atA) / (atB - atA);
-    place[along] = low[along] + t * (high[along] - low[along]);
+    place[along] = low[along] + cut() * (high[along] - low[along]);
     const double value = ValueWithin(this->Field, this->Table, place);
-    if (std::abs(value) < Margin * (high[along] - low[along]))
+    const bool isLikeA = (value > 0.0) == (atA > 0.0);
+    (isLikeA ? a : b) = (place[along] - low[along]) / (high[along] - low[along]);
+    (isLikeA ? atA : atB) = value;
+    if (std::abs(value) < Near * (high[along] - low[along]))
     {
       break;
     }
-    const bool isLikeA = (value > 0.0) == (atA > 0.0);
-    (isLikeA ? a : b) = t;
-    (isLikeA ? atA : atB) = value;
-    (isLikeA ? atB : atA) *= 0.5;
+    // The end that stays twice counts half, so that it moves as well.
+    (isLikeA ? atB : atA) *= moved == (isLikeA ? 1 : 2) ? 0.5 : 1.0;
+    moved = isLikeA ? 1 : 2;
   }
-  t = std::clamp(t, Margin, 1.0 - Margin);
+  const double t = std::clamp(cut(), Margin, 1.0 - Margin);
   place[along] = low[along] + t * (high[along] - low[along]);
   return { place[this->U], place[this->V] };
 }

@@ -4,11 +4,13 @@
 
 #include "Core/Base/Box.h"
 #include "Core/Base/Vectors.h"
+#include "Core/Sparse/FieldEquations.h"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -35,60 +37,12 @@ struct SliceField::Solution
   bool IsSolved = false;
 
   std::size_t Count() const { return this->Samples.size(); }
-  Eigen::MatrixXd MakeSystem(const Execution& execution) const;
-  Eigen::MatrixXd MakePolynomials() const;
+  void Place(const Box3& box, std::vector<ContourSample>&& samples);
   void FindSlopes(const Execution& execution, Eigen::VectorXd& values) const;
-  void FillColumn(std::size_t column, Eigen::MatrixXd& system) const;
   double ValueAt(const Point3& p) const;
   Point3 GradientAt(const Point3& p) const;
-  void Solve(const Execution& execution);
+  void Solve(const FieldEquations& equations, const Execution& execution);
 };
-
-/// Column of the value at a sample, and of its slope.
-void SliceField::Solution::FillColumn(std::size_t j, Eigen::MatrixXd& system) const
-{
-  const auto n = static_cast<Eigen::Index>(this->Count());
-  const auto c = static_cast<Eigen::Index>(j);
-  const ContourSample& source = this->Samples[j];
-  for (Eigen::Index i = 0; i < n; ++i)
-  {
-    const ContourSample& at = this->Samples[static_cast<std::size_t>(i)];
-    const Point3 u = at.Position - source.Position;
-    const double r = Length(u);
-    const double atSlope = Dot(u, at.Inwards), sourceSlope = Dot(u, source.Inwards);
-    system(i, c) = r * r * r;
-    system(n + i, c) = 3.0 * r * atSlope;
-    system(i, n + c) = -3.0 * r * sourceSlope;
-    system(n + i, n + c) =
-      r > 0.0 ? -3.0 * (r * Dot(at.Inwards, source.Inwards) + atSlope * sourceSlope / r) : 0.0;
-  }
-}
-
-Eigen::MatrixXd SliceField::Solution::MakeSystem(const Execution& execution) const
-{
-  const auto n = static_cast<Eigen::Index>(this->Count());
-  Eigen::MatrixXd system(2 * n, 2 * n);
-  execution.For(this->Count(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t j = begin; j < end; ++j)
-      {
-        this->FillColumn(j, system);
-      }
-    });
-  return system;
-}
-
-/// Values and slopes of 1, x, y and z at the samples.
-Eigen::MatrixXd SliceField::Solution::MakePolynomials() const
-{
-  const auto n = static_cast<Eigen::Index>(this->Count());
-  Eigen::MatrixXd polynomials = Eigen::MatrixXd::Zero(2 * n, 4);
-  polynomials.col(0).head(n).setOnes();
-  polynomials.topRightCorner(n, 3) = this->Columns.leftCols(3).matrix();
-  polynomials.bottomRightCorner(n, 3) = this->Columns.rightCols(3).matrix();
-  return polynomials;
-}
 
 double SliceField::Solution::ValueAt(const Point3& p) const
 {
@@ -124,55 +78,73 @@ Point3 SliceField::Solution::GradientAt(const Point3& p) const
   return sum;
 }
 
-/**
- * The system with the linear polynomials P: [A P; P^T 0] [w; c] = [b; 0]. On weights that are
- * orthogonal to all of them A is positive definite: in a basis that starts with the directions of
- * P, what is left of A without the first four takes a Cholesky factorisation.
- */
-class Factors
+namespace
 {
-public:
-  Factors(Eigen::MatrixXd&& system, const Eigen::MatrixXd& polynomials)
-    : System(std::move(system))
-    , Basis(polynomials)
-  {
-    const Eigen::Index n = this->System.rows();
-    this->System.applyOnTheLeft(this->Basis.householderQ().transpose());
-    this->System.applyOnTheRight(this->Basis.householderQ());
-    this->Above = this->System.topRightCorner(Linear, n - Linear);
-    this->Cholesky.compute(this->System.bottomRightCorner(n - Linear, n - Linear));
-  }
+/// The samples of several choices, each once: those of all choices first.
+struct SampleUnion
+{
+  explicit SampleUnion(const std::vector<std::vector<ContourSample>>& choices);
+  /// The samples of a choice, in the same order.
+  std::vector<ContourSample> Choose(const std::vector<std::uint8_t>& chosen) const;
 
-  bool IsSolved() const { return this->Cholesky.info() == Eigen::Success; }
-
-  /// Weights, then the polynomial.
-  Eigen::VectorXd Solve(const Eigen::VectorXd& values) const
-  {
-    const Eigen::Index n = values.size();
-    Eigen::VectorXd turned = values;
-    turned.applyOnTheLeft(this->Basis.householderQ().transpose());
-    Eigen::VectorXd weights = Eigen::VectorXd::Zero(n);
-    weights.tail(n - Linear) = this->Cholesky.solve(turned.tail(n - Linear));
-    Eigen::VectorXd result(n + Linear);
-    result.tail<Linear>() =
-      this->Basis.matrixQR().topRows(Linear).template triangularView<Eigen::Upper>().solve(
-        turned.head(Linear) - this->Above * weights.tail(n - Linear));
-    weights.applyOnTheLeft(this->Basis.householderQ());
-    result.head(n) = weights;
-    return result;
-  }
-
-private:
-  static constexpr int Linear = 4;
-  Eigen::MatrixXd System, Above;
-  Eigen::HouseholderQR<Eigen::MatrixXd> Basis;
-  Eigen::LLT<Eigen::MatrixXd> Cholesky;
+  std::vector<ContourSample> Samples;
+  std::size_t Shared = 0;
+  std::vector<std::vector<std::uint8_t>> Chosen; ///< of each choice, which of the others it has
 };
+
+SampleUnion::SampleUnion(const std::vector<std::vector<ContourSample>>& choices)
+{
+  using Key = std::pair<Point3, Point3>;
+  std::map<Key, std::vector<std::uint8_t>> chosenBy;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+  {
+    for (const ContourSample& sample : choices[i])
+    {
+      auto& by = chosenBy[{ sample.Position, sample.Inwards }];
+      if (by.empty())
+      {
+        by.assign(choices.size(), 0);
+        this->Samples.push_back(sample);
+      }
+      by[i] = 1;
+    }
+  }
+  const auto usersOf = [&](const ContourSample& sample) -> const std::vector<std::uint8_t>&
+  { return chosenBy.find(Key(sample.Position, sample.Inwards))->second; };
+  const auto others = std::stable_partition(this->Samples.begin(), this->Samples.end(),
+    [&](const ContourSample& sample)
+    {
+      const std::vector<std::uint8_t>& by = usersOf(sample);
+      return std::find(by.begin(), by.end(), 0) == by.end();
+    });
+  this->Shared = static_cast<std::size_t>(others - this->Samples.begin());
+  this->Chosen.resize(choices.size());
+  for (auto sample = others; sample != this->Samples.end(); ++sample)
+  {
+    for (std::size_t i = 0; i < choices.size(); ++i)
+    {
+      this->Chosen[i].push_back(usersOf(*sample)[i]);
+    }
+  }
+}
+
+std::vector<ContourSample> SampleUnion::Choose(const std::vector<std::uint8_t>& chosen) const
+{
+  std::vector<ContourSample> samples;
+  for (std::size_t i = 0; i < this->Samples.size(); ++i)
+  {
+    if (i < this->Shared || chosen[i - this->Shared] != 0)
+    {
+      samples.push_back(this->Samples[i]);
+    }
+  }
+  return samples;
+}
+}
 
 /// The sine of the angle between the surface and the plane of each slice.
 void SliceField::Solution::FindSlopes(const Execution& execution, Eigen::VectorXd& values) const
 {
-  const auto n = static_cast<Eigen::Index>(this->Count());
   execution.For(this->Count(),
     [&](std::size_t begin, std::size_t end)
     {
@@ -182,55 +154,96 @@ void SliceField::Solution::FindSlopes(const Execution& execution, Eigen::VectorX
         const Point3 gradient = this->GradientAt(at.Position);
         const double length = Length(gradient);
         const double slope = length > 0.0 ? Dot(gradient, at.Inwards) / length : 1.0;
-        values[n + static_cast<Eigen::Index>(i)] = std::max(slope, LeastSlope);
+        values[2 * static_cast<Eigen::Index>(i) + 1] = std::max(slope, LeastSlope);
       }
     });
 }
 
-void SliceField::Solution::Solve(const Execution& execution)
+void SliceField::Solution::Solve(const FieldEquations& equations, const Execution& execution)
 {
   const auto n = static_cast<Eigen::Index>(this->Count());
-  const Factors factors(this->MakeSystem(execution), this->MakePolynomials());
-  this->IsSolved = factors.IsSolved();
+  this->IsSolved = equations.IsSolved();
   Eigen::VectorXd values = Eigen::VectorXd::Zero(2 * n);
-  values.tail(n).setOnes();
+  for (Eigen::Index i = 0; i < n; ++i)
+  {
+    values[2 * i + 1] = 1.0;
+  }
   for (int round = 0; round < Rounds && this->IsSolved; ++round)
   {
     if (round > 0)
     {
       this->FindSlopes(execution, values);
     }
-    this->Weights = factors.Solve(values);
-    this->IsSolved = this->Weights.allFinite();
+    const Eigen::VectorXd solved = equations.Solve(values);
+    this->IsSolved = solved.allFinite();
+    this->Weights.resize(solved.size());
+    for (Eigen::Index i = 0; i < n; ++i)
+    {
+      this->Weights[i] = solved[2 * i];
+      this->Weights[n + i] = solved[2 * i + 1];
+    }
+    this->Weights.tail<4>() = solved.tail<4>();
   }
 }
 
-SliceField::SliceField(std::vector<ContourSample>&& samples, const Execution& execution)
-  : Solved(std::make_unique<Solution>())
+/// Moves and scales the samples, which lie in `box`.
+void SliceField::Solution::Place(const Box3& box, std::vector<ContourSample>&& samples)
 {
-  Solution& s = *this->Solved;
-  s.Samples = std::move(samples);
-  Box3 box;
-  for (const ContourSample& sample : s.Samples)
-  {
-    box.Add(sample.Position);
-  }
   const Point3 extent = box.High - box.Low;
-  s.Centre = 0.5 * (box.Low + box.High);
-  s.Scale = 1.0 / std::max({ extent[0], extent[1], extent[2] });
-  s.Columns.resize(static_cast<Eigen::Index>(s.Count()), 6);
+  this->Samples = std::move(samples);
+  this->Centre = 0.5 * (box.Low + box.High);
+  this->Scale = 1.0 / std::max({ extent[0], extent[1], extent[2] });
+  this->Columns.resize(static_cast<Eigen::Index>(this->Count()), 6);
   Eigen::Index row = 0;
-  for (ContourSample& sample : s.Samples)
+  for (ContourSample& sample : this->Samples)
   {
-    sample.Position = s.Scale * (sample.Position - s.Centre);
+    sample.Position = this->Scale * (sample.Position - this->Centre);
     for (int axis = 0; axis < 3; ++axis)
     {
-      s.Columns(row, axis) = sample.Position[axis];
-      s.Columns(row, 3 + axis) = sample.Inwards[axis];
+      this->Columns(row, axis) = sample.Position[axis];
+      this->Columns(row, 3 + axis) = sample.Inwards[axis];
     }
     ++row;
   }
-  s.Solve(execution);
+}
+
+SliceField::SliceField()
+  : Solved(std::make_unique<Solution>())
+{
+}
+
+SliceField::SliceField(std::vector<ContourSample>&& samples, const Execution& execution)
+  : SliceField()
+{
+  Box3 box;
+  for (const ContourSample& sample : samples)
+  {
+    box.Add(sample.Position);
+  }
+  this->Solved->Place(box, std::move(samples));
+  this->Solved->Solve(FieldEquations(this->Solved->Samples, execution), execution);
+}
+
+std::vector<SliceField> SliceField::ThroughEach(
+  const std::vector<std::vector<ContourSample>>& choices, const Execution& execution)
+{
+  const SampleUnion all(choices);
+  Box3 box;
+  for (const ContourSample& sample : all.Samples)
+  {
+    box.Add(sample.Position);
+  }
+  SliceField whole;
+  whole.Solved->Place(box, std::vector<ContourSample>(all.Samples));
+  const SharedEquations equations(whole.Solved->Samples, all.Shared, execution);
+  std::vector<SliceField> fields;
+  for (const std::vector<std::uint8_t>& chosen : all.Chosen)
+  {
+    fields.push_back(SliceField());
+    fields.back().Solved->Place(box, all.Choose(chosen));
+    fields.back().Solved->Solve(equations.Choose(chosen), execution);
+  }
+  return fields;
 }
 
 SliceField::SliceField(SliceField&&) noexcept = default;

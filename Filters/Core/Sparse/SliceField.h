@@ -7,6 +7,7 @@
 #include "Core/Sparse/ContourSamples.h"
 
 #include <memory>
+#include <vector>
 
 namespace orthoslices
 {
@@ -30,6 +31,10 @@ class SliceField
 {
 public:
   SliceField(std::vector<ContourSample>&& samples, const Execution& execution);
+  /// One through each of several choices of samples, as from these alone, in less time: what the
+  /// choices have in common is factored once.
+  static std::vector<SliceField> ThroughEach(
+    const std::vector<std::vector<ContourSample>>& choices, const Execution& execution);
   SliceField(SliceField&&) noexcept;
   ~SliceField();
 
@@ -43,6 +48,8 @@ public:
   double Distance(const Point3& position) const;
 
 private:
+  SliceField();
+
   struct Solution;
   std::unique_ptr<Solution> Solved;
 };

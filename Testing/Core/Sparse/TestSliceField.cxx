@@ -125,6 +125,33 @@ TEST(SliceField, OnePlaneDoesNotDetermineIt)
 }
 
 //----------------------------------------------------------------------------
+/// Fields through some of the contours are the same whether or not others are solved with them.
+TEST(SliceField, ThroughEachChoiceAsFromItAlone)
+{
+  const Sliced sliced(PlainBall(), { 3, 2, 2 });
+  std::vector<std::vector<ContourSample>> choices;
+  for (std::size_t leftOut = 0; leftOut < sliced.Loops.size(); ++leftOut)
+  {
+    std::vector<WorldLoop> loops = sliced.Loops;
+    loops.erase(loops.begin() + static_cast<std::ptrdiff_t>(leftOut));
+    choices.push_back(SampleLoops(loops, 2.0 * sliced.Step));
+  }
+  choices.push_back(SampleLoops({ sliced.Loops.front() }, sliced.Step)); // in one plane
+  const std::vector<SliceField> fields = SliceField::ThroughEach(choices, Execution());
+  ASSERT_EQ(fields.size(), choices.size());
+  EXPECT_FALSE(fields.back().IsSolved());
+  for (std::size_t i = 0; i + 1 < choices.size(); ++i)
+  {
+    const SliceField alone(std::move(choices[i]), Execution());
+    ASSERT_TRUE(alone.IsSolved() && fields[i].IsSolved());
+    for (const Point3& direction : Directions())
+    {
+      EXPECT_NEAR(fields[i].Value(0.9 * direction), alone.Value(0.9 * direction), 1e-8);
+    }
+  }
+}
+
+//----------------------------------------------------------------------------
 /// Enough for the smallest system to be of use, and not too many for the greatest.
 TEST(SliceField, SamplesAreBetweenHundredsAndThousands)
 {
