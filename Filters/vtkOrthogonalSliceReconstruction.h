@@ -888,9 +888,10 @@ public:
   ///@{
   /**
    * Precision of the output points: vtkAlgorithm::SINGLE_PRECISION, DOUBLE_PRECISION, or
-   * DEFAULT_PRECISION (default): double if any input has double points, or if the slices do not lie
-   * across the axes of the world; single precision may make slivers of triangles touch in that
-   * case.
+   * DEFAULT_PRECISION (default): double if any input has double points, if the slices do not lie
+   * across the axes of the world, or if they are closer than 4096 steps of float at their
+   * coordinates, as far from the origin; single precision may make slivers of triangles touch in
+   * the second case, and takes slices closer than 256 steps for one in the last.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);

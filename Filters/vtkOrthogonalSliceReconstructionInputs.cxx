@@ -6,6 +6,7 @@
 #include "Bridge/ReadLabels.h"
 #include "Bridge/ReadPieces.h"
 #include "Core/Frames/SortByPlanes.h"
+#include "Core/ReconstructSorted.h"
 
 #include "vtkCellData.h"
 #include "vtkPolyData.h"
@@ -117,7 +118,8 @@ bool vtkOrthogonalSliceReconstruction::NeedsDoublePrecision(
     return this->OutputPointsPrecision == DOUBLE_PRECISION;
   }
   // Turned back, coordinates are no values of float any more.
-  bool anyDouble = !sorted.Frame.IsWorld();
+  bool anyDouble =
+    !sorted.Frame.IsWorld() || !orthoslices::HasRoomInSinglePrecision(sorted, this->PlaneTolerance);
   for (vtkDataObject* input : inputs)
   {
     orthoslices::VisitPolyData(input,

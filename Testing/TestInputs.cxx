@@ -318,6 +318,35 @@ TEST(Inputs, TurnedSlicesSayHowTheyAreTurned)
 }
 
 //----------------------------------------------------------------------------
+/// Where float has few steps between planes, the surface of float contours is made in double.
+TEST(Inputs, SlicesInFloatFarFromTheOriginStayApart)
+{
+  for (const double away : { 0.0, 1e5 })
+  {
+    FilterRun run;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto data = MappedAxis(axis, UnitMatrix(), VTK_DOUBLE);
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToFloat();
+      for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+      {
+        const double* p = data->GetPoint(i);
+        points->InsertNextPoint(10.0 * p[0] + away, 10.0 * p[1] + away, 10.0 * p[2] + away);
+      }
+      data->SetPoints(points);
+      run.Filter->SetInputData(axis, data);
+    }
+    vtkPolyData* surface = run.Update();
+    EXPECT_EQ(surface->GetPoints()->GetDataType(), away > 0.0 ? VTK_DOUBLE : VTK_FLOAT);
+    const SurfaceCheck check = CheckSurface(MeshOf(surface));
+    EXPECT_TRUE(check.IsClosedManifold()) << check;
+    EXPECT_EQ(check.Components, 1);
+    EXPECT_EQ(check.TotalGenus(), 1);
+  }
+}
+
+//----------------------------------------------------------------------------
 /// Where the surface is left open at the border of a turned image, the border is turned, too.
 TEST(Inputs, BordersAreThoseOfTheFrame)
 {

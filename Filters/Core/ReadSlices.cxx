@@ -97,7 +97,9 @@ Index SettleLoops(Pass& pass)
     return contours.Count();
   }
   WeldBridges(options.RedrawnShare, pass.Execute, contours);
-  return ResolveLoops(options.Loops, asDrawn, pass.Execute, contours, mended);
+  // Where several structures meet, corners are cut off for all together.
+  const bool partTouching = options.Junctions == nullptr;
+  return ResolveLoops(options.Loops, asDrawn, partTouching, pass.Execute, contours, mended);
 }
 
 /// The spatial grid, and the interior on the left of each contour (sections 3 and 4).

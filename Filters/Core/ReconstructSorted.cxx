@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace orthoslices
@@ -138,6 +139,34 @@ double ChooseQuantum(const SortedSlices& sorted, bool singlePrecision)
   }
   const int bits = singlePrecision ? 20 : 44;
   return largest > 0.0 ? std::ldexp(1.0, std::ilogb(largest) + 1 - bits) : 0.0;
+}
+
+bool HasRoomInSinglePrecision(const SortedSlices& sorted, double tolerance)
+{
+  constexpr double least = 4096.0 * std::numeric_limits<float>::epsilon();
+  for (const Pieces& pieces : sorted.Slices)
+  {
+    std::vector<double> planes; // the first vertex of a piece says where it is
+    for (Index piece = 0; piece < pieces.Count(); ++piece)
+    {
+      if (pieces.Offsets[piece] < pieces.Offsets[piece + 1] &&
+        std::isfinite(pieces.W[pieces.Offsets[piece]]))
+      {
+        planes.push_back(pieces.W[pieces.Offsets[piece]]);
+      }
+    }
+    std::sort(planes.begin(), planes.end());
+    for (std::size_t i = 1; i < planes.size(); ++i)
+    {
+      const double distance = planes[i] - planes[i - 1];
+      if (distance > tolerance * (planes.back() - planes.front()) &&
+        distance < least * std::max(std::abs(planes.front()), std::abs(planes.back())))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 AxisFrame MetricOf(const AxisFrame& frame) { return frame.IsRotation() ? AxisFrame() : frame; }

@@ -30,6 +30,12 @@ Reconstruction ReconstructSorted(SortedSlices&& sorted, const Options& options,
 /// of float. 0 in the frame of the world, where nothing is mapped.
 double ChooseQuantum(const SortedSlices& sorted, bool singlePrecision);
 
+/// Whether single precision has room between all slices: at least 4096 steps at the coordinates of
+/// their axis, so that the 16 steps that the surface keeps from each plane are next to nothing. Far
+/// from the origin it has not, and the grid would take planes for one. What is closer than
+/// `tolerance`, as a share of the extent along the axis, is one plane in any case.
+bool HasRoomInSinglePrecision(const SortedSlices& sorted, double tolerance);
+
 /// What lengths and angles are along the axes of a frame: see SpatialGrid::Metric.
 AxisFrame MetricOf(const AxisFrame& frame);
 

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Loops/LoopMeetings.h"
 
+#include "Core/Base/EditContours.h"
 #include "Core/Base/Predicates.h"
 #include "Core/Base/Vectors.h"
+#include "Core/Loops/LoopWindings.h"
 #include "Core/Planar/SegmentTree.h"
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 namespace orthoslices
 {
@@ -39,10 +41,11 @@ private:
   void Compare(const Segment& a, const Segment& b);
   bool DoCrossIn(const Point2& x, const Segment& a, const Segment& b) const;
   Passing PassingAt(const Point2& x, const Segment& segment) const;
-  void Add(const Segment& a, const Segment& b, const Point2& where);
+  bool IsCrumbBetween(const Point2& x, const Segment& a, const Segment& b) const;
+  void Add(const Segment& a, const Segment& b, const Point2& where, bool isTouch = false);
 
   const Contours& Set;
-  std::set<std::pair<Index, Index>> Known;
+  std::map<std::pair<Index, Index>, std::size_t> Known; ///< where in Found a pair is
   std::vector<LoopMeeting> Found;
 };
 
@@ -58,13 +61,33 @@ Index MeetingFinder::Before(const Segment& segment, Index vertex) const
   return (vertex > this->Set.Offsets[contour] ? vertex : this->Set.Offsets[contour + 1]) - 1;
 }
 
-void MeetingFinder::Add(const Segment& a, const Segment& b, const Point2& where)
+void MeetingFinder::Add(const Segment& a, const Segment& b, const Point2& where, bool isTouch)
 {
   const auto pair = std::minmax(a.Contour, b.Contour);
-  if (this->Known.insert(pair).second)
+  const auto known = this->Known.emplace(pair, this->Found.size());
+  if (known.second)
   {
-    this->Found.push_back({ pair.first, pair.second, where });
+    this->Found.push_back({ pair.first, pair.second, where, isTouch });
   }
+  else if (this->Found[known.first->second].IsTouch && !isTouch)
+  {
+    this->Found[known.first->second] = { pair.first, pair.second, where, false };
+  }
+}
+
+/// Whether a contour that comes back to a point has next to no area on its way there, or without it.
+bool MeetingFinder::IsCrumbBetween(const Point2& x, const Segment& a, const Segment& b) const
+{
+  const Index first = std::min(a.Vertex, b.Vertex), last = std::max(a.Vertex, b.Vertex);
+  std::vector<Point2> way{ x };
+  for (Index i = first + 1; i <= last; ++i)
+  {
+    way.push_back(this->At(i));
+  }
+  const double between = SignedArea(way);
+  const double rest = 0.5 * TwiceSignedArea(this->Set, a.Contour) - between;
+  return std::min(std::abs(between), std::abs(rest)) <=
+    LittleShare * std::max(std::abs(between), std::abs(rest));
 }
 
 /// The contour near a point of a segment.
@@ -127,9 +150,14 @@ void MeetingFinder::Compare(const Segment& a, const Segment& b)
   };
   const auto test = [&](const Point2& x, int side, const Point2& from, const Point2& to)
   {
-    if (side == 0 && isWithin(x, from, to) && this->DoCrossIn(x, a, b))
+    if (side != 0 || !isWithin(x, from, to))
     {
-      this->Add(a, b, x);
+      return;
+    }
+    const bool isTouch = !this->DoCrossIn(x, a, b);
+    if (!isTouch || a.Contour != b.Contour || !this->IsCrumbBetween(x, a, b))
+    {
+      this->Add(a, b, x, isTouch);
     }
   };
   test(r, sideOfR, p, q);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Loops/ResolveLoops.h"
 
+#include "Core/Base/Box.h"
 #include "Core/Base/EditContours.h"
 #include "Core/Base/Predicates.h"
 #include "Core/Base/Vectors.h"
@@ -48,7 +49,7 @@ public:
   {
   }
 
-  ResolvedSlice Run(LoopRule rule, LoopSide side);
+  ResolvedSlice Run(LoopRule rule, LoopSide side, bool partTouching);
 
 private:
   std::vector<std::vector<Point2>> ReadPolygons() const;
@@ -184,7 +185,7 @@ void SliceResolver::ReportMeetings(const std::vector<LoopMeeting>& meetings)
       const std::size_t member =
         std::lower_bound(this->Members.begin(), this->Members.end(), contour) -
         this->Members.begin();
-      if (meeting.Contour != meeting.Other && !isKnown[member])
+      if (meeting.Contour != meeting.Other && !meeting.IsTouch && !isKnown[member])
       {
         isKnown[member] = 1;
         this->Report(ProblemKind::LoopsUnited, contour, meeting.Where, 0.0, false);
@@ -233,10 +234,18 @@ void SliceResolver::ReportWalks(
   }
 }
 
-ResolvedSlice SliceResolver::Run(LoopRule rule, LoopSide side)
+ResolvedSlice SliceResolver::Run(LoopRule rule, LoopSide side, bool partTouching)
 {
-  const std::vector<LoopMeeting> meetings = FindLoopMeetings(this->Set, this->Members);
+  std::vector<LoopMeeting> meetings = FindLoopMeetings(this->Set, this->Members);
+  const auto isTouch = [](const LoopMeeting& meeting) { return meeting.IsTouch; };
+  const bool doAnyCross = !std::all_of(meetings.begin(), meetings.end(), isTouch);
   const bool isNested = rule == LoopRule::NonZero && this->Members.size() > 1;
+  const auto leaveOutTouches = [&]
+  { meetings.erase(std::remove_if(meetings.begin(), meetings.end(), isTouch), meetings.end()); };
+  if (!partTouching)
+  {
+    leaveOutTouches();
+  }
   if (meetings.empty() && !isNested)
   {
     return {};
@@ -255,8 +264,10 @@ ResolvedSlice SliceResolver::Run(LoopRule rule, LoopSide side)
   }
   const PlaneFaces faces(walks);
   const LoopWindings windings(walks, faces);
-  if (rule == LoopRule::Union && AreMeetingsSlight(windings))
+  const bool doTouch = partTouching && (!doAnyCross || !DoLoopsCross(windings));
+  if (rule == LoopRule::Union && !doTouch && AreMeetingsSlight(windings))
   {
+    leaveOutTouches();
     this->ReportSlight(meetings);
     return std::move(this->Result);
   }
@@ -273,8 +284,60 @@ ResolvedSlice SliceResolver::Run(LoopRule rule, LoopSide side)
 }
 }
 
-Index ResolveLoops(LoopRule rule, bool asDrawn, const Execution& execution, Contours& contours,
-  std::vector<Problem>& mended)
+namespace
+{
+/// Vertices of a slice that only rounding has parted, by 2^-40 of its extent, become one place: else
+/// loops that are meant to touch there would be too close to each other for what follows.
+void UniteVertices(const std::vector<Index>& members, Contours& contours)
+{
+  struct Vertex
+  {
+    double Column; ///< in which columns of the plane, as wide as the distance
+    Index Contour, Number;
+  };
+  std::vector<Vertex> vertices;
+  Box3 box;
+  double largest = 0.0;
+  for (const Index contour : members)
+  {
+    for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
+    {
+      vertices.push_back({ 0.0, contour, i });
+      box.Add(Point3{ contours.U[i], contours.V[i], 0.0 });
+      largest = std::max({ largest, std::abs(contours.U[i]), std::abs(contours.V[i]) });
+    }
+  }
+  const double distance = std::max(
+    std::ldexp(box.Diagonal(), -40), 8.0 * std::numeric_limits<double>::epsilon() * largest);
+  for (Vertex& vertex : vertices)
+  {
+    vertex.Column = std::nearbyint(contours.U[vertex.Number] / distance);
+  }
+  std::sort(vertices.begin(), vertices.end(),
+    [&](const Vertex& a, const Vertex& b)
+    {
+      const double v = contours.V[a.Number], w = contours.V[b.Number];
+      return a.Column != b.Column ? a.Column < b.Column : v != w ? v < w : a.Number < b.Number;
+    });
+  for (std::size_t i = 1; i < vertices.size(); ++i)
+  {
+    const Vertex& to = vertices[i - 1];
+    const Vertex& from = vertices[i];
+    const Index apart = std::abs(to.Number - from.Number);
+    const bool areNeighbours =
+      to.Contour == from.Contour && (apart == 1 || apart + 1 == contours.Size(to.Contour));
+    if (to.Column == from.Column && !areNeighbours &&
+      contours.V[from.Number] - contours.V[to.Number] <= distance)
+    {
+      contours.U[from.Number] = contours.U[to.Number];
+      contours.V[from.Number] = contours.V[to.Number];
+    }
+  }
+}
+}
+
+Index ResolveLoops(LoopRule rule, bool asDrawn, bool partTouching, const Execution& execution,
+  Contours& contours, std::vector<Problem>& mended)
 {
   const std::vector<std::vector<Index>> slices = GroupBySlice(contours);
   const LoopSide side = !asDrawn ? LoopSide::Surrounded
@@ -289,7 +352,11 @@ Index ResolveLoops(LoopRule rule, bool asDrawn, const Execution& execution, Cont
         std::vector<Index> members;
         std::copy_if(slices[i].begin(), slices[i].end(), std::back_inserter(members),
           [&](Index contour) { return !contours.IsVirtual(contour); });
-        resolved[i] = SliceResolver(contours, members).Run(rule, side);
+        if (partTouching)
+        {
+          UniteVertices(members, contours);
+        }
+        resolved[i] = SliceResolver(contours, members).Run(rule, side, partTouching);
       }
     });
   std::vector<std::uint8_t> isReplaced(contours.Count(), 0);

@@ -20,7 +20,8 @@ namespace orthoslices
  * the slice's extent is left out. Where two loops or lobes meet in a point, their corners there are
  * cut off by a little.
  *
- * Slices without such meetings are not changed; contours that touch in points may stay. With Union,
+ * Slices without such meetings are not changed. With `partTouching`, slices on which contours touch
+ * in points are resolved, too: later stages would leave a corner out there. With Union,
  * nor are slices where contours meet by noise only (AreMeetingsSlight), which is reported: there,
  * EmbedArcs and EmbedIsolated take them apart, so that a crossing by a little leaves no crumbs.
  * With NonZero, slices of several contours are always resolved: there, the direction of holes
@@ -34,8 +35,8 @@ namespace orthoslices
  * of their length is from. Returns the number of the first of them. What was done is appended to
  * `mended`.
  */
-Index ResolveLoops(LoopRule rule, bool asDrawn, const Execution& execution, Contours& contours,
-  std::vector<Problem>& mended);
+Index ResolveLoops(LoopRule rule, bool asDrawn, bool partTouching, const Execution& execution,
+  Contours& contours, std::vector<Problem>& mended);
 }
 
 #endif

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 
 namespace orthoslices
@@ -17,6 +18,68 @@ constexpr double MostInLobes = 0.25;
 /// Loops that are meant to meet make about one face more than there are loops where two cross. With
 /// so many more faces than twice the loops, noise has made them, whatever their areas.
 constexpr Index MostFaces = 16;
+
+/// Loops that overlap in a face around which runs this share of the length of the shorter one, or
+/// more, are one: the neck between them is a fifth as wide as a circle of that length.
+constexpr double LeastNeck = 0.125;
+
+/// What is common to two loops.
+struct CommonFaces
+{
+  double Area = 0.0;
+  Index Count = 0;
+  Index Last = -1;
+};
+
+using CommonOfParts = std::map<std::pair<Index, Index>, CommonFaces>;
+
+/// Of two parts, the lesser one first.
+CommonOfParts FindCommonFaces(const LoopWindings& windings)
+{
+  CommonOfParts common;
+  for (Index face = 0; face < windings.GetGraph().CountFaces(); ++face)
+  {
+    const LoopWindings::Layers& layers = windings.LayersOf(face);
+    for (std::size_t i = 0; i < layers.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i && windings.IsAtHome(layers[i].Part, face); ++j)
+      {
+        if (windings.IsAtHome(layers[j].Part, face))
+        {
+          CommonFaces& of = common[{ layers[j].Part, layers[i].Part }];
+          of.Area += windings.AreaOfFace(face);
+          of.Count += 1;
+          of.Last = face;
+        }
+      }
+    }
+  }
+  return common;
+}
+
+/// Lengths around faces, and of walks.
+struct BorderLengths
+{
+  std::vector<double> OfFace, OfWalk;
+};
+
+BorderLengths MeasureBorders(const LoopWindings& windings)
+{
+  const PlaneFaces& graph = windings.GetGraph();
+  BorderLengths lengths{ std::vector<double>(graph.CountFaces(), 0.0),
+    std::vector<double>(windings.CountWalks(), 0.0) };
+  for (Index edge = 0; edge < graph.CountHalfEdges() / 2; ++edge)
+  {
+    const double length = windings.LengthOf(edge);
+    lengths.OfFace[graph.Face(2 * edge)] += length;
+    lengths.OfFace[graph.Face(2 * edge + 1)] += length;
+    for (Index i = graph.FirstPassage(edge); i < graph.EndOfPassages(edge); ++i)
+    {
+      lengths.OfWalk[graph.PassageAt(i).Walk] += length;
+    }
+  }
+  return lengths;
+}
 
 /// Whether a walk surrounds most once and in one direction, and the rest in little lobes.
 bool AreWalksPlain(const LoopWindings& windings)
@@ -97,33 +160,59 @@ bool AreMeetingsSlight(const LoopWindings& windings)
   {
     return false;
   }
-  std::map<std::pair<Index, Index>, double> common;
-  for (Index face = 0; face < graph.CountFaces(); ++face)
+  const BorderLengths lengths = MeasureBorders(windings);
+  for (const auto& [parts, of] : FindCommonFaces(windings))
   {
-    const LoopWindings::Layers& layers = windings.LayersOf(face);
-    for (std::size_t i = 0; i < layers.size(); ++i)
-    {
-      for (std::size_t j = 0; j < i && windings.IsAtHome(layers[i].Part, face); ++j)
-      {
-        if (windings.IsAtHome(layers[j].Part, face))
-        {
-          common[{ layers[j].Part, layers[i].Part }] += windings.AreaOfFace(face);
-        }
-      }
-    }
-  }
-  for (const auto& entry : common)
-  {
-    const double a = windings.AreaOf(entry.first.first);
-    const double b = windings.AreaOf(entry.first.second);
+    const double a = windings.AreaOf(parts.first);
+    const double b = windings.AreaOf(parts.second);
     const double little = LittleShare * std::min(a, b);
-    const bool isIn = a - entry.second <= little || b - entry.second <= little;
-    const bool isSame = a - entry.second <= little && b - entry.second <= little;
-    if (entry.second > little && (!isIn || isSame))
+    const bool isIn = a - of.Area <= little || b - of.Area <= little;
+    const bool isSame = a - of.Area <= little && b - of.Area <= little;
+    const double shorter = std::min(
+      lengths.OfWalk[windings.WalkOf(parts.first)], lengths.OfWalk[windings.WalkOf(parts.second)]);
+    const bool isNeck = of.Count == 1 && lengths.OfFace[of.Last] >= LeastNeck * shorter;
+    if ((of.Area > little && (!isIn || isSame)) || (isNeck && !isIn))
     {
       return false;
     }
   }
   return true;
+}
+
+bool DoLoopsCross(const LoopWindings& windings)
+{
+  const PlaneFaces& graph = windings.GetGraph();
+  for (Index edge = 0; edge < graph.CountHalfEdges() / 2; ++edge)
+  {
+    const Index first = graph.FirstPassage(edge);
+    if (graph.EndOfPassages(edge) - first > 1 || graph.PassageAt(first).Net == 0)
+    {
+      return true;
+    }
+  }
+  std::vector<Index> faces(windings.CountParts(), 0), windingOf(faces);
+  for (Index face = 0; face < graph.CountFaces(); ++face)
+  {
+    for (const LoopWindings::Layer& layer : windings.LayersOf(face))
+    {
+      if (windings.IsAtHome(layer.Part, face))
+      {
+        Index& winding = windingOf[layer.Part];
+        winding = faces[layer.Part] == 0 ? layer.Winding : winding;
+        if (winding != layer.Winding || std::abs(winding) > 1)
+        {
+          return true;
+        }
+        faces[layer.Part] += 1;
+      }
+    }
+  }
+  const CommonOfParts common = FindCommonFaces(windings);
+  return std::any_of(common.begin(), common.end(),
+    [&](const CommonOfParts::value_type& entry)
+    {
+      return entry.second.Count < faces[entry.first.first] &&
+        entry.second.Count < faces[entry.first.second];
+    });
 }
 }

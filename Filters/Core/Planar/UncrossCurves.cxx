@@ -75,10 +75,11 @@ private:
 
   bool Apply(const Contact& contact);
   Index PlaceOf(const std::array<Index, 2>& pair) const;
-  void Uncross(const Contact& contact);
+  bool Uncross(const Contact& contact);
   void Reverse(const Contact& contact);
   std::vector<Crossing> CrossingsOf(Index one, Index other);
-  void ExchangeParts(Index one, Index other, const Crossing& first, const Crossing& second);
+  void ExchangeParts(Index one, Index other, Crossing first, Crossing second);
+  void BeginInLongerPart(Index curve, std::pair<Index, double>& p, std::pair<Index, double>& q);
   void ExchangeRests(Index one, Index other, const Crossing& crossing);
   void Remove(Index vertex);
   double Length() const;
@@ -368,9 +369,49 @@ std::vector<Crossing> Untangler::CrossingsOf(Index one, Index other)
   return crossings;
 }
 
-/// Exchanges the parts of two curves between two crossings, so that their ends stay together.
-void Untangler::ExchangeParts(Index one, Index other, const Crossing& first, const Crossing& second)
+/// A closed curve may begin anywhere: makes it begin on the longer one of its two parts between two
+/// crossings, so that it remains the same but for a little when the other one is exchanged.
+void Untangler::BeginInLongerPart(
+  Index curve, std::pair<Index, double>& p, std::pair<Index, double>& q)
 {
+  std::vector<Index>& vertices = this->Curves.Curves[curve];
+  double all = 0.0;
+  std::array<double, 2> at{}; // lengths from the start to the crossings
+  for (std::size_t i = 1; i < vertices.size(); ++i)
+  {
+    const double length = Distance(this->At(vertices[i - 1]), this->At(vertices[i]));
+    for (int k = 0; k < 2; ++k)
+    {
+      const std::pair<Index, double>& place = k == 0 ? p : q;
+      at[k] = place.first == static_cast<Index>(i) - 1 ? all + place.second * length : at[k];
+    }
+    all += length;
+  }
+  const bool isClosed = static_cast<std::size_t>(curve) >= this->Curves.FirstClosed;
+  if (!isClosed || std::abs(at[1] - at[0]) <= 0.5 * all)
+  {
+    return;
+  }
+  const Index begin = std::min(p.first, q.first) + 1;
+  const Index count = static_cast<Index>(vertices.size()) - 1;
+  std::rotate(vertices.begin(), vertices.begin() + begin, vertices.end() - 1);
+  this->Curves.Vertices[vertices.back()] = this->At(vertices.front());
+  for (std::pair<Index, double>* place : { &p, &q })
+  {
+    place->first = (place->first - begin + count) % count;
+  }
+  this->Renumber(curve, 0);
+}
+
+/// Exchanges the parts of two curves between two crossings, so that their ends stay together.
+void Untangler::ExchangeParts(Index one, Index other, Crossing first, Crossing second)
+{
+  this->BeginInLongerPart(one, first.OnFirst, second.OnFirst);
+  this->BeginInLongerPart(other, first.OnSecond, second.OnSecond);
+  if (second.OnFirst < first.OnFirst)
+  {
+    std::swap(first, second);
+  }
   std::vector<Index>& a = this->Curves.Curves[one];
   std::vector<Index>& b = this->Curves.Curves[other];
   const bool sameWay = first.OnSecond < second.OnSecond;
@@ -408,20 +449,27 @@ void Untangler::ExchangeRests(Index one, Index other, const Crossing& crossing)
   this->Renumber(other, crossing.OnSecond.first);
 }
 
-void Untangler::Uncross(const Contact& contact)
+/// False if it has to wait until a vertex that touches is left out: then closed curves do not cross
+/// once.
+bool Untangler::Uncross(const Contact& contact)
 {
   const Index one = this->Curve[contact.First[0]];
   const Index other = this->Curve[contact.Second[0]];
   if (one == other)
   {
     this->Reverse(contact);
-    return;
+    return true;
   }
   const std::vector<Crossing> crossings = this->CrossingsOf(one, other);
   if (crossings.size() == 1)
   {
-    this->ExchangeRests(one, other, crossings.front());
-    return;
+    const bool isClosed =
+      static_cast<std::size_t>(std::max(one, other)) >= this->Curves.FirstClosed;
+    if (!isClosed)
+    {
+      this->ExchangeRests(one, other, crossings.front());
+    }
+    return !isClosed;
   }
   const Index i = this->PlaceOf(contact.First);
   const Index j = this->PlaceOf(contact.Second);
@@ -429,6 +477,7 @@ void Untangler::Uncross(const Contact& contact)
     [&](const Crossing& c) { return c.OnFirst.first == i && c.OnSecond.first == j; });
   const auto first = here + 1 != crossings.end() ? here : here - 1;
   this->ExchangeParts(one, other, *first, *(first + 1));
+  return true;
 }
 
 void Untangler::Remove(Index vertex)
@@ -462,16 +511,20 @@ bool Untangler::Apply(const Contact& contact)
   {
     return false;
   }
+  const Point2 p = this->At(contact.First[0]), q = this->At(contact.Second[0]);
+  if (contact.Cross && !this->Uncross(contact))
+  {
+    return false;
+  }
+  if (!contact.Cross)
+  {
+    this->Remove(contact.Remove);
+  }
   if (this->Result.Changes == 0)
   {
-    for (int i = 0; i < 2; ++i)
-    {
-      this->Result.Where[i] = this->At(contact.First[0])[i] +
-        0.5 * (this->At(contact.Second[0])[i] - this->At(contact.First[0])[i]);
-    }
+    this->Result.Where = { p[0] + 0.5 * (q[0] - p[0]), p[1] + 0.5 * (q[1] - p[1]) };
   }
   ++this->Result.Changes;
-  contact.Cross ? this->Uncross(contact) : this->Remove(contact.Remove);
   return true;
 }
 

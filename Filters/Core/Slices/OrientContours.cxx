@@ -4,6 +4,7 @@
 
 #include "Core/Base/EditContours.h"
 #include "Core/Base/Predicates.h"
+#include "Core/Base/Vectors.h"
 #include "Core/Planar/SegmentTree.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ private:
   void Mark(Index contour, ProblemKind kind, Index vertex);
 
   Slice Members(const Slice& slice) const;
-  Index ExtremeVertex(Index contour) const;
+  bool IsOuter(const SegmentTree& tree, Index contour) const;
 
   Contours& Set;
   std::vector<std::uint8_t>& Removed;
@@ -54,17 +55,22 @@ Slice SliceOrienter::Members(const Slice& slice) const
   return members;
 }
 
-/// The vertex with the least u, of several the one with the least v.
-Index SliceOrienter::ExtremeVertex(Index contour) const
+/// Whether a contour encloses the interior: of places spread over it, the middles of sides, most lie
+/// within an even number of others. Noise may have put a few of them beyond another contour.
+bool SliceOrienter::IsOuter(const SegmentTree& tree, Index contour) const
 {
-  Index extreme = this->Set.Offsets[contour];
-  for (Index i = extreme + 1; i < this->Set.Offsets[contour + 1]; ++i)
+  constexpr Index places = 15;
+  const Index count = this->Set.Size(contour);
+  Index outer = 0;
+  for (Index k = 0; k < places; ++k)
   {
-    const bool less = this->Set.U[i] < this->Set.U[extreme] ||
-      (this->Set.U[i] == this->Set.U[extreme] && this->Set.V[i] < this->Set.V[extreme]);
-    extreme = less ? i : extreme;
+    const Index vertex =
+      this->Set.Offsets[contour] + static_cast<Index>(std::int64_t(k) * count / places);
+    const auto ends = this->Ends({ contour, vertex });
+    const Point2 middle = Between(ends[0], ends[1], 0.5);
+    outer += tree.CountAbove(middle[0], middle[1], contour) % 2 == 0 ? 1 : 0;
   }
-  return extreme;
+  return 2 * outer > places;
 }
 
 /// Contours of a virtual plane that has become one with a real one are not those of the slice.
@@ -135,11 +141,7 @@ void SliceOrienter::OrientByNesting(const Slice& slice)
   std::vector<Index> reversed;
   for (const Index contour : members)
   {
-    // An extreme vertex, so that a contour that touches another one is judged where they part.
-    const Index extreme = this->ExtremeVertex(contour);
-    const Index depth = tree.CountAbove(this->Set.U[extreme], this->Set.V[extreme], contour);
-    const bool outer = depth % 2 == 0;
-    if ((TwiceSignedArea(this->Set, contour) > 0.0) != outer)
+    if ((TwiceSignedArea(this->Set, contour) > 0.0) != this->IsOuter(tree, contour))
     {
       reversed.push_back(contour);
     }

@@ -40,11 +40,12 @@ struct Resolved
   }
 };
 
-Resolved Resolve(Contours contours, LoopRule rule = LoopRule::Union, bool asDrawn = false)
+Resolved Resolve(Contours contours, LoopRule rule = LoopRule::Union, bool asDrawn = false,
+  bool partTouching = false)
 {
   BuildSpatialGrid(contours, 0.0);
   Resolved result;
-  result.First = ResolveLoops(rule, asDrawn, Execution(), contours, result.Mended);
+  result.First = ResolveLoops(rule, asDrawn, partTouching, Execution(), contours, result.Mended);
   for (Index i = 0; i < contours.Count(); ++i)
   {
     result.Loops.emplace_back();
@@ -134,6 +135,45 @@ TEST(ResolveLoops, ContoursThatTouchOrNestStayAsTheyAre)
       EXPECT_EQ(static_cast<Index>(result.Loops[i].size()), contours.Size(i));
     }
   }
+}
+
+//----------------------------------------------------------------------------
+/// What follows would leave out the vertices in which they touch, and half of a square with them.
+TEST(ResolveLoops, ContoursThatTouchArePartedIfAskedFor)
+{
+  const struct
+  {
+    const char* Text;
+    std::size_t Loops;
+    double Area;
+  } cases[] = { { "z=0: 0,0 1,0 1,1 0,1; z=0: 1,1 2,1 2,2 1,2", 2, 2.0 },      // in a corner
+    { "z=0: 0,0 1,0 1,1 0,1; z=0: 1,1.0000000000000002 2,1 2,2 1,2", 2, 2.0 }, // but for rounding
+    { "z=0: 0,0 4,0 4,4 0,4; z=0: 2,0 3,1 1,1", 2, 15.0 },                     // a hole on an edge
+    { "z=0: 0,0 1,1 0,2 2,2 1,1 2,0", 2, 2.0 },                                // itself
+    { "z=0: 0,0 4,0 4,2 4.00001,2.00001 4,2 4,4 0,4", 1, 16.0 } }; // with a crumb that stays
+  for (const auto& test : cases)
+  {
+    SCOPED_TRACE(test.Text);
+    const Resolved result = Resolve(ParseContours(test.Text), LoopRule::Union, false, true);
+    EXPECT_EQ(result.Loops.size(), test.Loops);
+    EXPECT_NEAR(result.Area(), test.Area, 0.01);
+    EXPECT_TRUE(test.Loops == 1 || AreDisjointAndSimple(result.Loops));
+  }
+}
+
+//----------------------------------------------------------------------------
+/// Overlapping by 1 % of their area, discs are a third as wide where they meet.
+TEST(ResolveLoops, LoopsThatOverlapByANeckAreUnited)
+{
+  std::vector<Polygon> discs(2);
+  for (int i = 0; i < 80; ++i)
+  {
+    const double angle = 2.0 * 3.141592653589793 * (i % 40) / 40.0;
+    discs[i / 40].push_back({ 10.0 * std::cos(angle) + 19.0 * (i / 40), 10.0 * std::sin(angle) });
+  }
+  const Resolved result = Resolve(ToContours(discs));
+  EXPECT_EQ(result.Loops.size(), 1u);
+  EXPECT_EQ(result.Count(ProblemKind::LoopsUnited), 2);
 }
 
 //----------------------------------------------------------------------------

@@ -187,6 +187,35 @@ TEST(UncrossCurves, TakesAClosedCurveApart)
 }
 
 //----------------------------------------------------------------------------
+/// Squares whose corners overlap stay side by side, whichever corner they begin with; none comes to
+/// lie within the other.
+TEST(UncrossCurves, ClosedCurvesExchangeTheirShorterParts)
+{
+  std::vector<Point2> a{ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } };
+  std::vector<Point2> b{ { 3, 3 }, { 7, 3 }, { 7, 7 }, { 3, 7 } };
+  for (int start = 0; start < 16; ++start)
+  {
+    PlanarCurves set;
+    AddClosedCurve(a, set);
+    AddClosedCurve(b, set);
+    EXPECT_TRUE(UncrossCurves(set).Simple);
+    for (const int curve : { 0, 1 })
+    {
+      std::vector<Point2> polygon;
+      for (const Index vertex : set.Curves[curve])
+      {
+        polygon.push_back(set.Vertices[vertex]);
+      }
+      EXPECT_EQ(polygon.front(), polygon.back());
+      EXPECT_LE(std::abs(SignedArea(polygon)), 16.0) << start;
+      EXPECT_GE(std::abs(SignedArea(polygon)), 12.0) << start;
+    }
+    std::rotate(a.begin(), a.begin() + 1, a.end());
+    std::rotate(b.begin(), b.begin() + (start % 4 == 3 ? 1 : 0), b.end());
+  }
+}
+
+//----------------------------------------------------------------------------
 TEST(AreSimple, AsByComparingAllPairs)
 {
   Random random(7);

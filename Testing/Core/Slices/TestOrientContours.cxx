@@ -58,6 +58,16 @@ TEST(OrientContours, OuterBoundaryTurnsLeftAndHoleTurnsRight)
 }
 
 //----------------------------------------------------------------------------
+/// Noise has put the leftmost corner of the second one into the first one: that makes it no hole.
+TEST(OrientContours, MostOfAContourSaysWhereItLies)
+{
+  Contours contours = ParseContours("z=0: 0,0 9,0 9,9 0,9; z=0: 8.9,4 10,3 15,3 15,6 10,6");
+  std::vector<Problem> crossing;
+  OrientContours(Orientation::ByNesting, false, contours.Count(), Execution(), contours, crossing);
+  EXPECT_EQ(Signs(contours), (std::vector<int>{ 1, 1 }));
+}
+
+//----------------------------------------------------------------------------
 TEST(OrientContours, AsDrawnStaysAsItIs)
 {
   Contours contours = ParseContours("z=0: 0,0 0,9 9,9 9,0; z=0: 3,3 6,3 6,6 3,6");
