@@ -25,6 +25,9 @@ constexpr double ProgressOfDrawing = 0.5;
 /// Where triangles are to be few, how much all takes until they are improved.
 constexpr double ProgressOfFilling = 0.75;
 
+/// A label that is within another one to that much of its area is meant to be.
+constexpr double MostOverlap = 0.98;
+
 /// The stages of one label, and what has to outlive them.
 struct LabelPass
 {
@@ -82,6 +85,9 @@ private:
   void AddMissing();
   void ShareTolerance();
   void ShareContours();
+  void SettleEnds();
+  StructureSets FindOverlapping() const;
+  SetReplacements FindContradicted();
   void BuildGrids();
   bool FindLacking(const LabelPass& label, VirtualPlanes& lacking) const;
   bool DoSlicesContradict(VirtualPlanes& lacking);

@@ -244,7 +244,7 @@ bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
   for (LabelPass* pass : passes)
   {
     pass->SetProgress(ProgressOfDrawing, ProgressOfDrawing, 0, 1);
-    pass->Stages.SetOtherPlanes(this->Planes);
+    pass->Stages.SetOtherPlanes(this->Planes, EmptyPlanes::All);
     slices.push_back(pass->Sparse->ListSlices());
     labels.push_back(&slices.back());
   }
@@ -269,11 +269,7 @@ bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
   std::vector<Pass*> toDraw;
   for (LabelPass* pass : passes)
   {
-    Pass* const again = pass->Sparse->StartAgain();
-    if (again != nullptr)
-    {
-      toDraw.push_back(again);
-    }
+    toDraw.push_back(&pass->Sparse->StartAgain());
   }
   if (!this->DrawGraphs(toDraw))
   {
