@@ -93,10 +93,16 @@ void LabelRunner::SettleEnds()
   }
   if (hasChanged)
   {
-    this->Borders.Sets = std::move(shared.Sets);
-    this->Borders.Union = std::move(shared.Union);
-    this->Junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
-    this->BuildGrids();
+    this->TakeBorders(std::move(shared));
   }
+}
+
+/// Takes borders that have become others since labels were read; overlaps are those that were drawn.
+void LabelRunner::TakeBorders(SharedBorders&& shared)
+{
+  this->Borders.Sets = std::move(shared.Sets);
+  this->Borders.Union = std::move(shared.Union);
+  this->Junctions = RoundAll(shared.Junctions, this->Settings.Quantum);
+  this->BuildGrids();
 }
 }

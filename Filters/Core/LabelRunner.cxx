@@ -142,16 +142,18 @@ std::vector<Contours*> LabelRunner::ListContours()
   return contours;
 }
 
-/// Contours of labels get the same vertices where they run along each other.
-void LabelRunner::ShareContours()
+/// Contours of labels get the same vertices where they run along each other. False: stopped.
+bool LabelRunner::ShareContours()
 {
   this->ShareTolerance();
   this->RemoveInserted();
+  this->BuildGrids();
   this->AddMissing();
   this->Borders = ShareBorders(this->Thickness(), {}, this->Execute, this->ListContours());
   this->Junctions = RoundAll(this->Borders.Junctions, this->Settings.Quantum);
   this->BuildGrids();
   this->SettleEnds();
+  return this->FillLacking();
 }
 
 void LabelRunner::BuildGrids()
@@ -323,8 +325,7 @@ bool LabelRunner::Run()
   {
     return this->MakeEach();
   }
-  this->ShareContours();
-  if (!this->AgreeOnSlices())
+  if (!this->ShareContours() || !this->AgreeOnSlices())
   {
     return false;
   }

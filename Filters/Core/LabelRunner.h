@@ -11,6 +11,7 @@
 
 #include <array>
 #include <deque>
+#include <map>
 #include <memory>
 #include <set>
 #include <vector>
@@ -77,6 +78,9 @@ public:
   CommonCellCounts Counts;
 
 private:
+  /// Labels that slices lack, by axis and coordinate.
+  using LackingLabels = std::map<std::pair<int, double>, std::vector<Index>>;
+
   bool Read();
   bool DoAnyMeet() const;
   std::vector<Contours*> ListContours();
@@ -84,8 +88,16 @@ private:
   void RemoveInserted();
   void AddMissing();
   void ShareTolerance();
-  void ShareContours();
+  bool ShareContours();
   void SettleEnds();
+  void TakeBorders(SharedBorders&& shared);
+  LackingLabels ListLacking() const;
+  static std::vector<std::uint8_t> FindAlone(
+    const LackingLabels& lacking, const Contours& contours);
+  bool CutUnion(const VirtualPlanes& planes, std::vector<Contours>& cuts);
+  static void RemoveThinHoles(double thickness, Contours& contours);
+  bool FillLacking();
+  void AddInserted(Index label, const Contours& found);
   StructureSets FindOverlapping() const;
   SetReplacements FindContradicted();
   void BuildGrids();
