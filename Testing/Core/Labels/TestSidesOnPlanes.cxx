@@ -41,6 +41,7 @@ struct Stack
       Add(2, 1.0, { -1, 0 }, { 1, 4 }, drawn == 0 ? this->Lower : this->Upper);
     }
     this->Grid.Planes = { { { 0.0 }, {}, { 1.0 } } };
+    this->Grid.Step = { 1e-15, 1e-15, 1e-15 };
   }
 
   bool Settle() { return SettleSidesOnPlanes(this->Grid, 0.01, Execution(), { &Lower, &Upper }); }
