@@ -120,14 +120,15 @@ void EdgeSnipper::JoinArcs(Index incoming, Index outgoing)
  * Where contours of structures have been drawn anew with vertices on grid lines, one may touch a
  * line in a vertex. This counts as a tip beyond the line, from one crossing to the other one at the
  * same place. If both are taken out, the arcs before and after it are joined in the vertex: else all
- * would be cut off that lies between its neighbours. False: this is no tip.
+ * would be cut off that lies between its neighbours. False: this is no tip, or nothing but the tip
+ * meets any line, and what is left is isolated as ever.
  */
 bool EdgeSnipper::JoinAtTip(Index first, Index last)
 {
   GridCrossings& crossings = this->Tables.Crossings;
   if (!this->Tables.Grid.BothWays || crossings.Next[first] != last ||
-    crossings.Position[first] != crossings.Position[last] || crossings.RunCount[first] != 1 ||
-    crossings.ArcLastRun[first] != first)
+    crossings.Previous[first] == last || crossings.Position[first] != crossings.Position[last] ||
+    crossings.RunCount[first] != 1 || crossings.ArcLastRun[first] != first)
   {
     return false;
   }
