@@ -18,10 +18,8 @@ namespace
 /// Gaps and overlaps of contours are slivers if they are thinner, in spacings of the planes.
 constexpr double ThinGap = 0.01;
 
-/// Labels overlap if that much of the smaller one is common to both; one that is within the other
-/// one to that much is meant to be.
+/// Labels overlap if that much of the smaller one is common to both.
 constexpr double LeastOverlap = 0.001;
-constexpr double MostOverlap = 0.98;
 
 /// Components and handles, once patches of several cycles have given way to others.
 void CountComponents(Reconstruction& result)
@@ -144,15 +142,18 @@ std::vector<Contours*> LabelRunner::ListContours()
   return contours;
 }
 
-/// Contours of labels get the same vertices where they run along each other.
-void LabelRunner::ShareContours()
+/// Contours of labels get the same vertices where they run along each other. False: stopped.
+bool LabelRunner::ShareContours()
 {
   this->ShareTolerance();
   this->RemoveInserted();
+  this->BuildGrids();
   this->AddMissing();
   this->Borders = ShareBorders(this->Thickness(), {}, this->Execute, this->ListContours());
   this->Junctions = RoundAll(this->Borders.Junctions, this->Settings.Quantum);
   this->BuildGrids();
+  this->SettleEnds();
+  return this->FillLacking();
 }
 
 void LabelRunner::BuildGrids()
@@ -324,8 +325,7 @@ bool LabelRunner::Run()
   {
     return this->MakeEach();
   }
-  this->ShareContours();
-  if (!this->AgreeOnSlices())
+  if (!this->ShareContours() || !this->AgreeOnSlices())
   {
     return false;
   }

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <deque>
+#include <map>
 #include <memory>
 #include <set>
 #include <vector>
@@ -24,6 +25,9 @@ constexpr double ProgressOfDrawing = 0.5;
 
 /// Where triangles are to be few, how much all takes until they are improved.
 constexpr double ProgressOfFilling = 0.75;
+
+/// A label that is within another one to that much of its area is meant to be.
+constexpr double MostOverlap = 0.98;
 
 /// The stages of one label, and what has to outlive them.
 struct LabelPass
@@ -74,6 +78,9 @@ public:
   CommonCellCounts Counts;
 
 private:
+  /// Labels that slices lack, by axis and coordinate.
+  using LackingLabels = std::map<std::pair<int, double>, std::vector<Index>>;
+
   bool Read();
   bool DoAnyMeet() const;
   std::vector<Contours*> ListContours();
@@ -81,7 +88,18 @@ private:
   void RemoveInserted();
   void AddMissing();
   void ShareTolerance();
-  void ShareContours();
+  bool ShareContours();
+  void SettleEnds();
+  void TakeBorders(SharedBorders&& shared);
+  LackingLabels ListLacking() const;
+  static std::vector<std::uint8_t> FindAlone(
+    const LackingLabels& lacking, const Contours& contours);
+  bool CutUnion(const VirtualPlanes& planes, std::vector<Contours>& cuts);
+  static void RemoveThinHoles(double thickness, Contours& contours);
+  bool FillLacking();
+  void AddInserted(Index label, const Contours& found);
+  StructureSets FindOverlapping() const;
+  SetReplacements FindContradicted();
   void BuildGrids();
   bool FindLacking(const LabelPass& label, VirtualPlanes& lacking) const;
   bool DoSlicesContradict(VirtualPlanes& lacking);

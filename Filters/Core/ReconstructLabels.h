@@ -41,6 +41,8 @@ struct LabelSurfaces
  * own. Else
  *
  *   ShareBorders        contours get the same vertices where they run along each other
+ *   SettleSidesOnPlanes where labels end just on a slice, those across agree with it
+ *   FindRest            labels that slices lack get what the others leave there
  *   NestRegions, PartRegions  where slices contradict each other, each place gets the labels that
  *                       the median of all slices has
  *   AddEmptyPlanes      all have the same planes, so that cells are common

@@ -24,23 +24,6 @@ constexpr double LargestShift = 0.02;
 /// A vertex so near to a plane is on it, in the same measure: turned contours are rounded.
 constexpr double OnPlane = 1e-6;
 
-/**
- * Takes out holes that are thinner than slivers: where labels were made to agree, or were rounded,
- * each by itself, some are left between them. Whatever is made of all contours, such as a field,
- * would take them for places where there is nothing.
- */
-void RemoveThinHoles(double thickness, Contours& contours)
-{
-  std::vector<std::uint8_t> isThin;
-  for (Index i = 0; i < contours.Count(); ++i)
-  {
-    const double twiceArea = TwiceSignedArea(contours, i);
-    isThin.push_back(
-      twiceArea <= 0.0 && -twiceArea < thickness * LengthOf(PolygonOf(contours, i)) ? 1 : 0);
-  }
-  RemoveMarked(isThin, contours);
-}
-
 /// Appends the coordinates along an axis of all vertices of contours that lie across others.
 void AddCoordinates(const Contours& contours, int axis, std::vector<double>& coordinates)
 {
@@ -91,6 +74,23 @@ void LabelRunner::MoveOffVertices(const SpatialGrid& grid, VirtualPlanes& planes
       }
     }
   }
+}
+
+/**
+ * Takes out holes that are thinner than slivers: where labels were made to agree, or were rounded,
+ * each by itself, some are left between them. Whatever is made of all contours, such as a field,
+ * would take them for places where there is nothing.
+ */
+void LabelRunner::RemoveThinHoles(double thickness, Contours& contours)
+{
+  std::vector<std::uint8_t> isThin;
+  for (Index i = 0; i < contours.Count(); ++i)
+  {
+    const double twiceArea = TwiceSignedArea(contours, i);
+    isThin.push_back(
+      twiceArea <= 0.0 && -twiceArea < thickness * LengthOf(PolygonOf(contours, i)) ? 1 : 0);
+  }
+  RemoveMarked(isThin, contours);
 }
 
 /// What all labels cover together, as one structure more.
@@ -244,7 +244,7 @@ bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
   for (LabelPass* pass : passes)
   {
     pass->SetProgress(ProgressOfDrawing, ProgressOfDrawing, 0, 1);
-    pass->Stages.SetOtherPlanes(this->Planes);
+    pass->Stages.SetOtherPlanes(this->Planes, EmptyPlanes::All);
     slices.push_back(pass->Sparse->ListSlices());
     labels.push_back(&slices.back());
   }
@@ -269,11 +269,7 @@ bool LabelRunner::FinishSparse(const std::vector<LabelPass*>& passes)
   std::vector<Pass*> toDraw;
   for (LabelPass* pass : passes)
   {
-    Pass* const again = pass->Sparse->StartAgain();
-    if (again != nullptr)
-    {
-      toDraw.push_back(again);
-    }
+    toDraw.push_back(&pass->Sparse->StartAgain());
   }
   if (!this->DrawGraphs(toDraw))
   {

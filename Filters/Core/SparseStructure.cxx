@@ -15,7 +15,6 @@ namespace orthoslices
 /// The first surface, as it is cut and bent. False: stopped.
 bool SparseStructure::SketchFirst()
 {
-  this->Centers = this->First.Result.Surface.CentralPoints;
   this->First.SetShare(ProgressOfPredictions, ProgressOfSketch);
   return Sketch(this->Density.EdgeLength(), this->First);
 }
@@ -127,27 +126,15 @@ bool SparseStructure::Redraw()
   return true;
 }
 
-Pass* SparseStructure::StartAgain()
+Pass& SparseStructure::StartAgain()
 {
-  if (this->Virtual.Count() > 0)
-  {
-    this->Again = std::make_unique<Pass>(
-      SecondPass(this->First, this->Drawn, this->Virtual, this->Known, this->LeftOut));
-  }
-  return this->Again.get();
+  this->Again = std::make_unique<Pass>(
+    SecondPass(this->First, this->Drawn, this->Virtual, this->Known, this->LeftOut));
+  return *this->Again;
 }
 
 bool SparseStructure::Connect()
 {
-  if (!this->Again)
-  {
-    if (!this->Centers.empty())
-    {
-      this->First.Result.Surface.CentralPoints.swap(this->Centers);
-    }
-    this->First.SetShare(ProgressOfBending, 1.0);
-    return true;
-  }
   if (!ConnectGraph(*this->Again))
   {
     this->First.Result.Stopped = true;
@@ -158,11 +145,8 @@ bool SparseStructure::Connect()
 
 void SparseStructure::Finish()
 {
-  if (this->Again)
-  {
-    TakeReport(this->First.Result, this->LeftOut, this->Again->Result);
-    this->First.Result = std::move(this->Again->Result);
-    this->Again.reset();
-  }
+  TakeReport(this->First.Result, this->LeftOut, this->Again->Result);
+  this->First.Result = std::move(this->Again->Result);
+  this->Again.reset();
 }
 }

@@ -37,13 +37,13 @@ public:
   /// Draws the virtual slices as they are after all slices of this structure have been made to
   /// agree, so that a second surface changes them no more. False: stopped.
   bool Redraw();
-  /// The pass of the second surface, of which the graph is to be drawn; null if there are no virtual
-  /// slices.
-  Pass* StartAgain();
+  /// The pass of the second surface, of which the graph is to be drawn. It has the planes of all
+  /// structures, even if this one has no virtual slices.
+  Pass& StartAgain();
   /// The second surface, up to the inside of its patches, once its graph is drawn. False: stopped.
   bool Connect();
   /// The pass of which patches are to be filled then.
-  Pass& ToFill() { return this->Again ? *this->Again : this->First; }
+  Pass& ToFill() { return *this->Again; }
   /// Puts the second surface in the place of the first one in its pass.
   void Finish();
 
@@ -59,9 +59,8 @@ private:
   const VirtualPlanes& Planes;
   Pass& First;
   Contours Drawn;              ///< as they are before the first pass
-  std::vector<double> Centers; ///< of the first surface, as they are before its sketch, if any
   PriorKnowledge Known;        ///< what the second surface is to come out as
-  std::unique_ptr<Pass> Again; ///< of the second surface, if there is any
+  std::unique_ptr<Pass> Again; ///< of the second surface
   std::vector<Index> LeftOut;  ///< contours that take no part in it
 };
 }

@@ -34,5 +34,22 @@ TriangleMesh MeshOf(const Reconstruction& result)
   return mesh;
 }
 
+LabelMesh MeshOf(const LabelSurfaces& surfaces)
+{
+  LabelMesh all;
+  for (std::size_t label = 0; label < surfaces.OfLabel.size(); ++label)
+  {
+    const TriangleMesh mesh = MeshOf(surfaces.OfLabel[label]);
+    const Index first = static_cast<Index>(all.Mesh.Points.size());
+    all.Mesh.Points.insert(all.Mesh.Points.end(), mesh.Points.begin(), mesh.Points.end());
+    for (const auto& t : mesh.Triangles)
+    {
+      all.Mesh.Triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
+    }
+    all.Labels.resize(all.Mesh.Triangles.size(), static_cast<int>(label));
+  }
+  return all;
+}
+
 } // namespace support
 } // namespace orthoslices

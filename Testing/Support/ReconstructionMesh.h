@@ -9,7 +9,10 @@
 #define OrthoSlicesReconstructionMesh_h
 
 #include "Core/Reconstruct.h"
+#include "Core/ReconstructLabels.h"
 #include "Support/TriangleMesh.h"
+
+#include <vector>
 
 namespace orthoslices
 {
@@ -19,6 +22,15 @@ namespace support
 /// Points and triangles with the ids that the filter gives them. A corner that was never written is
 /// -1.
 TriangleMesh MeshOf(const Reconstruction& result);
+
+/// Surfaces of several structures, in one mesh.
+struct LabelMesh
+{
+  TriangleMesh Mesh;
+  std::vector<int> Labels; ///< of the triangles
+};
+
+LabelMesh MeshOf(const LabelSurfaces& surfaces);
 
 } // namespace support
 } // namespace orthoslices

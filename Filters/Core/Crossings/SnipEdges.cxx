@@ -51,6 +51,7 @@ private:
   void ReportSnip(Index a, Index b);
   void Snip(Index a, Index b);
   bool IsOfVirtual(Index crossing) const;
+  bool JoinAtTip(Index first, Index last);
   void JoinArcs(Index incoming, Index outgoing);
   void AddIsolated(Index firstRun);
 
@@ -115,6 +116,29 @@ void EdgeSnipper::JoinArcs(Index incoming, Index outgoing)
   this->Tables.Crossings.Previous[this->Tables.Crossings.Next[outgoing]] = arc;
 }
 
+/**
+ * Where contours of structures have been drawn anew with vertices on grid lines, one may touch a
+ * line in a vertex. This counts as a tip beyond the line, from one crossing to the other one at the
+ * same place. If both are taken out, the arcs before and after it are joined in the vertex: else all
+ * would be cut off that lies between its neighbours. False: this is no tip, or nothing but the tip
+ * meets any line, and what is left is isolated as ever.
+ */
+bool EdgeSnipper::JoinAtTip(Index first, Index last)
+{
+  GridCrossings& crossings = this->Tables.Crossings;
+  if (!this->Tables.Grid.BothWays || crossings.Next[first] != last ||
+    crossings.Previous[first] == last || crossings.Position[first] != crossings.Position[last] ||
+    crossings.RunCount[first] != 1 || crossings.ArcLastRun[first] != first)
+  {
+    return false;
+  }
+  const Index before = crossings.Previous[first];
+  crossings.RunNext[crossings.ArcLastRun[before]] = first;
+  crossings.ArcLastRun[before] = first;
+  this->JoinArcs(first, last);
+  return true;
+}
+
 /// Lists an arc that has closed in itself, if it has enough vertices for a contour.
 void EdgeSnipper::AddIsolated(Index firstRun)
 {
@@ -164,8 +188,11 @@ void EdgeSnipper::Snip(Index a, Index b)
   {
     this->ReportSnip(a, b);
   }
-  this->JoinArcs(a, b);
-  this->JoinArcs(b, a);
+  if (!this->JoinAtTip(a, b) && !this->JoinAtTip(b, a))
+  {
+    this->JoinArcs(a, b);
+    this->JoinArcs(b, a);
+  }
   this->Tables.Crossings.Next[a] = GridCrossings::Removed;
   this->Tables.Crossings.Next[b] = GridCrossings::Removed;
 }

@@ -19,7 +19,9 @@ namespace orthoslices
  * They are matched so that the total length on which the two slices disagree is least
  * (MatchAlternating). What stays unmatched are pairs of neighbours, which are *snipped*: on both
  * faces beside the edge, the two arcs of the contour that end there are joined. An arc that closes
- * in itself by that is appended to tables.Isolated, if it has three vertices or more.
+ * in itself by that is appended to tables.Isolated, if it has three vertices or more. Of structures
+ * (SpatialGrid::BothWays), contours that were drawn anew have vertices on grid lines; one that only
+ * touches a line in a vertex keeps that.
  *
  * Where a real slice meets a virtual one (see SpatialGrid), nothing is taken from the real one: the
  * virtual one gets a loop of two crossings for each pair that it lacks. So a contour of a real

@@ -3,6 +3,9 @@
 #include "Core/Labels/CommonLines.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
 #include <tuple>
 
 namespace orthoslices
@@ -93,15 +96,18 @@ private:
   const LinePassage* End;
 };
 
+/// The passages of one line, from a source on.
+const LinePassage* StartOf(Source of, const LinePassage* begin, const LinePassage* end)
+{
+  return std::partition_point(
+    begin, end, [of](const LinePassage& passage) { return passage.Of < of; });
+}
+
 /// `begin` and `end` hold the passages of one line.
 bool IsLineRight(const LinePassage* begin, const LinePassage* end, const StructureSets& sets)
 {
-  const auto startOf = [&](Source of)
-  {
-    return std::partition_point(
-      begin, end, [of](const LinePassage& passage) { return passage.Of < of; });
-  };
-  const LinePassage *second = startOf(Source::Second), *both = startOf(Source::Both);
+  const LinePassage* const second = StartOf(Source::Second, begin, end);
+  const LinePassage* const both = StartOf(Source::Both, begin, end);
   LineWalk onFirst(begin, second), onSecond(second, both), agreed(both, end);
   while (!agreed.IsAtEnd())
   {
@@ -119,9 +125,10 @@ bool IsLineRight(const LinePassage* begin, const LinePassage* end, const Structu
   }
   return true;
 }
-}
 
-bool DoStructuresAgree(const std::vector<StructureCrossings>& structures, const StructureSets& sets)
+/// Calls a function with the passages of each line, as long as it returns true.
+template <class Function>
+bool ForLines(const std::vector<StructureCrossings>& structures, const Function& function)
 {
   std::vector<LinePassage> passages;
   for (std::size_t i = 0; i < structures.size(); ++i)
@@ -134,12 +141,169 @@ bool DoStructuresAgree(const std::vector<StructureCrossings>& structures, const 
   {
     const LinePassage* next = std::find_if(
       line, end, [line](const LinePassage& passage) { return passage.Line() != line->Line(); });
-    if (!IsLineRight(line, next, sets))
+    if (!function(line, next))
     {
       return false;
     }
     line = next;
   }
   return true;
+}
+
+/// Which sets slices have on lines, by length.
+class SetsOnLines
+{
+public:
+  SetsOnLines(const std::vector<StructureCrossings>& crossings, const StructureSets& doubtful);
+
+  void AddLine(const LinePassage* begin, const LinePassage* end);
+  SetReplacements Replace(const StructureSets& sets) const;
+
+private:
+  using Set = std::vector<Index>;
+  using Slice = std::pair<int, double>; ///< axis and coordinate
+
+  /// That much of what either of two slices shows of a set is common to both, if it is meant.
+  static constexpr double LeastCommon = 0.25;
+
+  void AddRange(const std::array<Slice, 2>& slices, const std::array<Set, 2>& found, double length);
+  bool IsDrawn(const Slice& slice, const Set& set) const;
+  bool IsContradicted(const Set& set) const;
+  Set PartOf(const Set& set, const std::map<Set, double>& across, const StructureSets& sets) const;
+
+  const StructureSets& Doubtful;
+  std::set<std::pair<Slice, Index>> Drawn;      ///< structures on slices
+  std::map<Set, std::array<double, 2>> Lengths; ///< on either slice of a line, on both
+  std::map<Slice, std::map<Set, std::map<Set, double>>> Across; ///< what slices across have there
+};
+
+SetsOnLines::SetsOnLines(
+  const std::vector<StructureCrossings>& crossings, const StructureSets& doubtful)
+  : Doubtful(doubtful)
+{
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+  {
+    const StructureCrossings& of = crossings[i];
+    const GridEdgeCode code(of.Grid);
+    for (Index crossing = 0; crossing < of.Crossings.Count(); ++crossing)
+    {
+      const GridEdge edge = code.Decode(of.Crossings.Edge[crossing]);
+      const bool isFirst = of.Crossings.Family[crossing] == 0;
+      const int axis = isFirst ? FirstAxis(edge.Direction) : SecondAxis(edge.Direction);
+      const double plane = of.Grid.Planes[axis][isFirst ? edge.First : edge.Second];
+      this->Drawn.insert({ { axis, plane }, static_cast<Index>(i) });
+    }
+  }
+}
+
+bool SetsOnLines::IsDrawn(const Slice& slice, const Set& set) const
+{
+  return std::all_of(set.begin(), set.end(),
+    [&](Index structure) {
+      return this->Drawn.count({ slice, structure }) > 0;
+    });
+}
+
+void SetsOnLines::AddLine(const LinePassage* begin, const LinePassage* end)
+{
+  const LinePassage* const second = StartOf(Source::Second, begin, end);
+  const LinePassage* const both = StartOf(Source::Both, begin, end);
+  const std::array<Slice, 2> slices{ Slice{ FirstAxis(begin->Direction), begin->First },
+    Slice{ SecondAxis(begin->Direction), begin->Second } };
+  LineWalk onFirst(begin, second), onSecond(second, both);
+  while (!onFirst.IsAtEnd() || !onSecond.IsAtEnd())
+  {
+    const auto next = [&]()
+    {
+      return std::min(onFirst.IsAtEnd() ? HUGE_VAL : onFirst.NextPosition(),
+        onSecond.IsAtEnd() ? HUGE_VAL : onSecond.NextPosition());
+    };
+    const double from = next();
+    onFirst.GoTo(from);
+    onSecond.GoTo(from);
+    if (!onFirst.IsAtEnd() || !onSecond.IsAtEnd())
+    {
+      this->AddRange(slices, { onFirst.Inside, onSecond.Inside }, next() - from);
+    }
+  }
+}
+
+void SetsOnLines::AddRange(
+  const std::array<Slice, 2>& slices, const std::array<Set, 2>& found, double length)
+{
+  for (int i = 0; i < 2; ++i)
+  {
+    const Set& set = found[i];
+    if (this->Doubtful.count(set) > 0 && this->IsDrawn(slices[1 - i], set))
+    {
+      const bool isCommon = found[1 - i] == set;
+      this->Lengths[set][0] += isCommon ? 0.5 * length : length;
+      this->Lengths[set][1] += isCommon ? 0.5 * length : 0.0;
+      this->Across[slices[i]][set][found[1 - i]] += length;
+    }
+  }
+}
+
+bool SetsOnLines::IsContradicted(const Set& set) const
+{
+  const auto found = this->Lengths.find(set);
+  return found != this->Lengths.end() && found->second[1] < LeastCommon * found->second[0];
+}
+
+/// What a set becomes on a slice across which there are others; itself if there is nothing.
+SetsOnLines::Set SetsOnLines::PartOf(
+  const Set& set, const std::map<Set, double>& across, const StructureSets& sets) const
+{
+  Set best = sets.count({ set.front() }) > 0 ? Set{ set.front() } : set;
+  double most = 0.0;
+  for (const auto& [other, length] : across)
+  {
+    const bool isPart = other != set && !other.empty() &&
+      std::includes(set.begin(), set.end(), other.begin(), other.end());
+    if (isPart && length > most && sets.count(other) > 0 && !this->IsContradicted(other))
+    {
+      best = other;
+      most = length;
+    }
+  }
+  return best;
+}
+
+SetReplacements SetsOnLines::Replace(const StructureSets& sets) const
+{
+  SetReplacements replaced;
+  for (const auto& [slice, ofSlice] : this->Across)
+  {
+    for (const auto& [set, across] : ofSlice)
+    {
+      const Set part = this->IsContradicted(set) ? this->PartOf(set, across, sets) : set;
+      if (part != set)
+      {
+        replaced[slice][set] = part;
+      }
+    }
+  }
+  return replaced;
+}
+}
+
+bool DoStructuresAgree(const std::vector<StructureCrossings>& structures, const StructureSets& sets)
+{
+  return ForLines(structures,
+    [&sets](const LinePassage* line, const LinePassage* end)
+    { return IsLineRight(line, end, sets); });
+}
+
+SetReplacements FindContradictedSets(const std::vector<StructureCrossings>& crossings,
+  const StructureSets& doubtful, const StructureSets& sets)
+{
+  SetsOnLines found(crossings, doubtful);
+  ForLines(crossings,
+    [&found](const LinePassage* line, const LinePassage* end)
+    {
+      found.AddLine(line, end);
+      return true;
+    });
+  return found.Replace(sets);
 }
 }

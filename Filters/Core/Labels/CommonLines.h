@@ -24,6 +24,16 @@ struct StructureCrossings
  */
 bool DoStructuresAgree(
   const std::vector<StructureCrossings>& structures, const StructureSets& sets);
+
+/**
+ * What places become that have several structures on a slice where the slices across have one of
+ * them: where one structure ends and another one begins just on a slice, both may be drawn there.
+ * Of the sets that are `doubtful`, those are contradicted that slices seldom have in common on the
+ * lines in which they meet, of what is drawn on both. On each slice such a set becomes the part of
+ * it, among `sets`, that most slices across show there, or the first of its structures.
+ */
+SetReplacements FindContradictedSets(const std::vector<StructureCrossings>& crossings,
+  const StructureSets& doubtful, const StructureSets& sets);
 }
 
 #endif

@@ -152,6 +152,18 @@ StructureSets FaceSets::Reassign(double thickness, const StructureSets& allowed)
   return kept;
 }
 
+void FaceSets::Replace(const std::map<std::vector<Index>, std::vector<Index>>& replaced)
+{
+  for (std::vector<Index>& set : this->Sets)
+  {
+    const auto found = replaced.find(set);
+    if (found != replaced.end())
+    {
+      set = found->second;
+    }
+  }
+}
+
 void FaceSets::RemoveSlivers(double thickness, const std::vector<std::uint8_t>& isKept)
 {
   std::vector<std::uint8_t> isOpen;

@@ -24,12 +24,14 @@ public:
   /// Gives slivers, and faces with sets that are not among those allowed, if these are not empty,
   /// to neighbours, as ShareBorders says. The sets of all other faces.
   StructureSets Reassign(double thickness, const StructureSets& allowed);
+  /// Faces of some sets get others; Before has what they had.
+  void Replace(const std::map<std::vector<Index>, std::vector<Index>>& replaced);
   /// Gives slivers to neighbours, but for faces that are marked.
   void RemoveSlivers(double thickness, const std::vector<std::uint8_t>& isKept);
 
   Index Count() const { return static_cast<Index>(this->Sets.size()); }
   const std::vector<Index>& operator[](Index face) const { return this->Sets[face]; }
-  /// As it was before Reassign.
+  /// As it was before Reassign and Replace.
   const std::vector<Index>& Before(Index face) const { return this->SetsBefore[face]; }
   double AreaOf(Index face) const { return this->Areas[face]; }
   /// 1 for the faces that are inside a structure; inside any, if it is -1.

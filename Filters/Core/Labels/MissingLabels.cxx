@@ -5,6 +5,7 @@
 #include "Core/Base/EditContours.h"
 #include "Core/Labels/FaceSets.h"
 #include "Core/Labels/SliceMembers.h"
+#include "Core/Labels/SnapVertices.h"
 #include "Core/Loops/TraceRegion.h"
 
 #include <algorithm>
@@ -272,5 +273,50 @@ std::vector<Contours> FindMissingLabels(
     }
   }
   return all;
+}
+
+Contours FindRest(
+  const Contours& whole, double thickness, const std::vector<const Contours*>& structures)
+{
+  Contours rest;
+  const int axis = whole.Axis.front();
+  const double plane = whole.Coordinate.front();
+  std::vector<std::vector<Point2>> polygons;
+  SnapTarget drawn(thickness, thickness);
+  for (const Contours* contours : structures)
+  {
+    for (Index i = 0; i < contours->Count(); ++i)
+    {
+      if (contours->Axis[i] == axis && contours->Coordinate[i] == plane)
+      {
+        polygons.push_back(PolygonOf(*contours, i));
+        drawn.Add(polygons.back());
+      }
+    }
+  }
+  std::vector<Index> numbers(polygons.size(), 1); // the whole is 0
+  for (Index i = 0; i < whole.Count(); ++i)
+  {
+    polygons.push_back(PolygonOf(whole, i));
+    numbers.push_back(0);
+    for (Point2& vertex : polygons.back())
+    {
+      drawn.Snap(vertex);
+    }
+  }
+  PlaneWalks walks;
+  if (SplitPolygons(polygons, walks))
+  {
+    const PlaneFaces faces(walks);
+    FaceSets sets(walks, faces, LoopWindings(walks, faces), numbers);
+    sets.RemoveSlivers(thickness, std::vector<std::uint8_t>(sets.Count(), 0));
+    std::vector<std::uint8_t> isRest;
+    for (Index face = 0; face < sets.Count(); ++face)
+    {
+      isRest.push_back(sets[face] == std::vector<Index>{ 0 } ? 1 : 0);
+    }
+    AppendRegion(walks, faces, isRest, { axis, plane }, rest);
+  }
+  return rest;
 }
 }

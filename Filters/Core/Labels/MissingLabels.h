@@ -34,6 +34,15 @@ constexpr double MostLacking = 0.5;
 /// found; one table for each structure. Deterministic.
 std::vector<Contours> FindMissingLabels(
   const std::vector<const Contours*>& structures, const Execution& execution);
+
+/**
+ * What structures leave on a slice of what all of them cover together there: what the only one
+ * that the slice lacks is in. `whole` are contours on that slice, as a surface around all shows
+ * them; so they run along drawn ones only about: what lies between them is left out if it is thinner
+ * than `thickness`. The contours have Cell -1, and Plane is to be found. Deterministic.
+ */
+Contours FindRest(
+  const Contours& whole, double thickness, const std::vector<const Contours*>& structures);
 }
 
 #endif

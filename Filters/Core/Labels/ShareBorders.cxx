@@ -26,17 +26,19 @@ class SliceSharer
 {
 public:
   SliceSharer(const std::vector<Contours*>& structures, const std::vector<SliceMember>& members,
-    double thickness, const StructureSets& allowed)
+    double thickness, const StructureSets& allowed, const SetReplacements& replaced)
     : Structures(structures)
     , Members(members)
     , Thickness(thickness)
     , Allowed(allowed)
+    , Replaced(replaced)
   {
   }
 
   SharedSlice Run();
 
 private:
+  void Replace(FaceSets& sets) const;
   std::vector<std::vector<Point2>> ReadPolygons();
   void Report(const FaceSets& sets);
   void CountVanished(const LoopWindings& windings, const FaceSets& sets);
@@ -50,6 +52,7 @@ private:
   const std::vector<SliceMember>& Members;
   const double Thickness;
   const StructureSets& Allowed;
+  const SetReplacements& Replaced;
   std::vector<std::uint8_t> IsMoved; ///< of each member: a vertex was moved onto another contour
   SharedSlice Result;
 };
@@ -258,6 +261,17 @@ Contours SliceSharer::ListContours(const std::vector<TracedLoop>& loops, Index s
   return made;
 }
 
+void SliceSharer::Replace(FaceSets& sets) const
+{
+  const Contours& contours = *this->Structures[this->Members.front().Structure];
+  const Index contour = this->Members.front().Contour;
+  const auto found = this->Replaced.find({ contours.Axis[contour], contours.Coordinate[contour] });
+  if (found != this->Replaced.end())
+  {
+    sets.Replace(found->second);
+  }
+}
+
 SharedSlice SliceSharer::Run()
 {
   PlaneWalks walks;
@@ -273,6 +287,7 @@ SharedSlice SliceSharer::Run()
     structures.push_back(member.Structure);
   }
   FaceSets sets(walks, faces, windings, structures);
+  this->Replace(sets);
   this->Result.Found.Sets = sets.Reassign(this->Thickness, this->Allowed);
   this->Report(sets);
   this->CountVanished(windings, sets);
@@ -330,7 +345,8 @@ void AddTo(const SharedBorders& slice, SharedBorders& all)
 }
 
 SharedBorders ShareBorders(double thickness, const StructureSets& allowed,
-  const Execution& execution, const std::vector<Contours*>& structures)
+  const Execution& execution, const std::vector<Contours*>& structures,
+  const SetReplacements& replaced)
 {
   const std::vector<std::vector<SliceMember>> slices =
     ListSlices({ structures.begin(), structures.end() });
@@ -340,7 +356,7 @@ SharedBorders ShareBorders(double thickness, const StructureSets& allowed,
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        shared[i] = SliceSharer(structures, slices[i], thickness, allowed).Run();
+        shared[i] = SliceSharer(structures, slices[i], thickness, allowed, replaced).Run();
       }
     });
   SharedBorders all;

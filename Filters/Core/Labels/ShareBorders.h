@@ -23,6 +23,10 @@ struct CommonAreas
 /// Which structures may have a place in common: ascending lists of them, the empty one included.
 using StructureSets = std::set<std::vector<Index>>;
 
+/// Sets that places of a slice, by its axis and coordinate, get in the place of others.
+using SetReplacements =
+  std::map<std::pair<int, double>, std::map<std::vector<Index>, std::vector<Index>>>;
+
 /// What ShareBorders has found.
 struct SharedBorders
 {
@@ -45,6 +49,8 @@ struct SharedBorders
  * these one that leaves the second one as it is, and so on: so of two contours that run along each
  * other, the one of the lesser number stays.
  *
+ * Before all that, places with sets that are `replaced` on their slice get the others.
+ *
  * Contours that meet no others of their slice, or others in vertices of both alone, stay as they
  * are. The others are traced anew, in the place of all contours of their structure on that slice.
  * Where a structure touches itself then, its corners are cut off, and its neighbours get the
@@ -52,7 +58,8 @@ struct SharedBorders
  * REQUIRES: contours have their interior on the left, and do not cross others of their structure.
  */
 SharedBorders ShareBorders(double thickness, const StructureSets& allowed,
-  const Execution& execution, const std::vector<Contours*>& structures);
+  const Execution& execution, const std::vector<Contours*>& structures,
+  const SetReplacements& replaced = {});
 }
 
 #endif

@@ -16,8 +16,8 @@ namespace
 struct Snipped
 {
   /// The slices across the axes of `isVirtual` are virtual ones.
-  explicit Snipped(
-    const std::string& zSlice, const std::array<bool, 3>& isVirtual = { false, false, false })
+  explicit Snipped(const std::string& zSlice,
+    const std::array<bool, 3>& isVirtual = { false, false, false }, bool ofStructures = false)
   {
     this->Set = ParseContours("x=0: -1,-1 1,-1 1,1 -1,1; y=0: -1,-1 1,-1 1,1 -1,1; z=0:" + zSlice);
     for (const std::int8_t axis : this->Set.Axis)
@@ -25,6 +25,7 @@ struct Snipped
       this->Set.Virtual.push_back(isVirtual[axis] ? 1 : 0);
     }
     this->Grid = BuildSpatialGrid(this->Set, Stages::Tolerance);
+    this->Grid.BothWays = ofStructures;
     this->Crossings = RegisterCrossings(this->Set, this->Grid, Execution(), this->Isolated);
     this->Before = this->Crossings.Count();
     this->Edges = FileOnEdges(this->Crossings);
@@ -40,6 +41,21 @@ struct Snipped
       removed += this->Crossings.IsRemoved(c) ? 1 : 0;
     }
     return removed;
+  }
+
+  /// The vertices of the z-slice that are left.
+  Index CountVertices() const
+  {
+    Index vertices = 0;
+    for (Index c = 0; c < this->Crossings.Count(); ++c)
+    {
+      for (Index run = this->Crossings.IsRemoved(c) ? GridCrossings::None : c;
+           run != GridCrossings::None; run = this->Crossings.RunNext[run])
+      {
+        vertices += this->Crossings.RunContour[run] == 2 ? this->Crossings.RunCount[run] : 0;
+      }
+    }
+    return vertices;
   }
 
   Contours Set;
@@ -85,6 +101,18 @@ TEST(SnipEdges, TakesOutADentThatOneSliceHasAlone)
     }
   }
   EXPECT_EQ(length, 4);
+}
+
+//----------------------------------------------------------------------------
+/// A notch that ends on the x-axis: of structures, the vertex there stays, and so does all beside it.
+TEST(SnipEdges, KeepsATipOfStructuresThatEndsOnALine)
+{
+  const std::string notch = " -1,-1 0.4,-1 0.5,0 0.6,-1 1,-1 1,1 -1,1";
+  EXPECT_EQ(Snipped(notch).CountVertices(), 6);
+  const Snipped data(notch, { false, false, false }, true);
+  EXPECT_EQ(data.Removed(), 2);
+  EXPECT_EQ(data.CountVertices(), 7);
+  EXPECT_TRUE(data.Isolated.empty());
 }
 
 //----------------------------------------------------------------------------

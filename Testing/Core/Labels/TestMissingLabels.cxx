@@ -101,3 +101,16 @@ TEST(MissingLabels, AreNotWhereTheyEnd)
   }
   EXPECT_EQ(Find(pair)[1].Count(), 0);
 }
+
+/// What is thin beside drawn contours is no rest, as the whole is known only about.
+TEST(MissingLabels, AreInWhatOthersLeave)
+{
+  Contours whole, drawn;
+  AddRectangle(3.0, { -2.01, -2.02 }, { 3.0, 2.01 }, whole);
+  AddRectangle(3.0, { -2.0, -2.0 }, { 0.5, 2.0 }, drawn);
+  AddRectangle(4.0, { 0.5, -2.0 }, { 3.0, 2.0 }, drawn); // on another slice
+  const Contours found = FindRest(whole, 0.1, { &drawn });
+  ASSERT_EQ(found.Count(), 1);
+  EXPECT_EQ(found.Cell.front(), -1);
+  EXPECT_NEAR(TwiceSignedArea(found, 0), 2.0 * 2.5 * 4.0, 0.3);
+}

@@ -140,21 +140,9 @@ std::int64_t CountCrossings(const Slices& board, const Matrix3& matrix,
   const Index count = *std::max_element(board.Labels.begin(), board.Labels.end()) + 1;
   const LabelSurfaces surfaces =
     ReconstructLabels(SplitByLabel(sorted, board.Labels, count), options, Execution());
-  TriangleMesh all;
-  std::vector<int> labels;
-  for (std::size_t label = 0; label < surfaces.OfLabel.size(); ++label)
-  {
-    const TriangleMesh mesh = MeshOf(surfaces.OfLabel[label]);
-    EXPECT_TRUE(CheckSurface(mesh).IsClosedManifold()) << label;
-    const Index first = static_cast<Index>(all.Points.size());
-    all.Points.insert(all.Points.end(), mesh.Points.begin(), mesh.Points.end());
-    for (const auto& t : mesh.Triangles)
-    {
-      all.Triangles.push_back({ t[0] + first, t[1] + first, t[2] + first });
-    }
-    labels.resize(all.Triangles.size(), static_cast<int>(label));
-  }
-  return CountLabelCrossings(all, labels);
+  const LabelMesh all = MeshOf(surfaces);
+  EXPECT_TRUE(CheckSurface(all.Mesh).IsClosedManifold());
+  return CountLabelCrossings(all.Mesh, all.Labels);
 }
 }
 
