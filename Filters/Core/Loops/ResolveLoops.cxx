@@ -293,6 +293,7 @@ void UniteVertices(const std::vector<Index>& members, Contours& contours)
   struct Vertex
   {
     double Column; ///< in which columns of the plane, as wide as the distance
+    double V;
     Index Contour, Number;
   };
   std::vector<Vertex> vertices;
@@ -302,7 +303,7 @@ void UniteVertices(const std::vector<Index>& members, Contours& contours)
   {
     for (Index i = contours.Offsets[contour]; i < contours.Offsets[contour + 1]; ++i)
     {
-      vertices.push_back({ 0.0, contour, i });
+      vertices.push_back({ 0.0, contours.V[i], contour, i });
       box.Add(Point3{ contours.U[i], contours.V[i], 0.0 });
       largest = std::max({ largest, std::abs(contours.U[i]), std::abs(contours.V[i]) });
     }
@@ -314,10 +315,11 @@ void UniteVertices(const std::vector<Index>& members, Contours& contours)
     vertex.Column = std::nearbyint(contours.U[vertex.Number] / distance);
   }
   std::sort(vertices.begin(), vertices.end(),
-    [&](const Vertex& a, const Vertex& b)
+    [](const Vertex& a, const Vertex& b)
     {
-      const double v = contours.V[a.Number], w = contours.V[b.Number];
-      return a.Column != b.Column ? a.Column < b.Column : v != w ? v < w : a.Number < b.Number;
+      return a.Column != b.Column ? a.Column < b.Column
+        : a.V != b.V              ? a.V < b.V
+                                  : a.Number < b.Number;
     });
   for (std::size_t i = 1; i < vertices.size(); ++i)
   {

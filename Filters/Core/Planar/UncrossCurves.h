@@ -42,10 +42,10 @@ struct Uncrossing
  *
  * Where two segments ab and cd of one curve cross, the part between them is passed the other way
  * (ac, bd). Two curves that cross twice exchange the parts between the crossings, so that their
- * ends stay together, closed ones the shorter parts; if they cross once, they exchange all that follows (ad, cb). No vertex moves
- * or is lost, starts stay starts and ends stay ends, and every move makes the curves shorter, so
- * that it comes to an end. A vertex that lies on another segment, or at which a curve folds back
- * on itself, is left out, but for the first and the last one of a curve.
+ * ends stay together, closed ones the shorter parts; if they cross once, they exchange all that
+ * follows (ad, cb). No vertex moves or is lost, starts stay starts and ends stay ends, and every move
+ * makes the curves shorter, so that it comes to an end. A vertex that lies on another segment, or at
+ * which a curve folds back on itself, is left out, but for the first and the last one of a curve.
  *
  * The moves that shorten most come first, so that the result does not depend on the directions of
  * the axes. Gives up, with Simple unset, when two ends of curves touch, or when moves go on after
