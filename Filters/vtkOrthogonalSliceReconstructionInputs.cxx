@@ -118,8 +118,7 @@ bool vtkOrthogonalSliceReconstruction::NeedsDoublePrecision(
     return this->OutputPointsPrecision == DOUBLE_PRECISION;
   }
   // Turned back, coordinates are no values of float any more.
-  bool anyDouble =
-    !sorted.Frame.IsWorld() || !orthoslices::HasRoomInSinglePrecision(sorted, this->PlaneTolerance);
+  bool anyDouble = !sorted.Frame.IsWorld();
   for (vtkDataObject* input : inputs)
   {
     orthoslices::VisitPolyData(input,
@@ -127,7 +126,7 @@ bool vtkOrthogonalSliceReconstruction::NeedsDoublePrecision(
         anyDouble |= data->GetPoints() != nullptr && data->GetPoints()->GetDataType() == VTK_DOUBLE;
       });
   }
-  return anyDouble;
+  return anyDouble || !orthoslices::HasRoomInSinglePrecision(sorted, this->PlaneTolerance);
 }
 
 /// The labels of all contours; an error and no labels if there are none.

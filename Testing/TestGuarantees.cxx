@@ -600,30 +600,26 @@ TEST(Topology, ShapesOfTheDataFolder)
 /// slices together notches: this one is several times as far off.
 TEST(Accuracy, StackWithSlicesAcrossHasNoNotches)
 {
-  for (const DataSet& data : AllDataSets())
+  const std::vector<DataSet> all = AllDataSets();
+  const DataSet& data =
+    *std::find_if(all.begin(), all.end(), [](const DataSet& any) { return any.Name == "heart"; });
+  const auto truth = ReadTruth(data);
+  vtkNew<vtkOrthogonalSlicer> slicer;
+  slicer->SetInputData(truth);
+  slicer->SetNumberOfSlices(1, 1, 20);
+  vtkNew<vtkOrthogonalSliceReconstruction> filter;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    if (data.Name != "heart")
-    {
-      continue;
-    }
-    const auto truth = ReadTruth(data);
-    vtkNew<vtkOrthogonalSlicer> slicer;
-    slicer->SetInputData(truth);
-    slicer->SetNumberOfSlices(1, 1, 20);
-    vtkNew<vtkOrthogonalSliceReconstruction> filter;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      filter->SetInputConnection(axis, slicer->GetOutputPort(axis));
-    }
-    filter->Update();
-    const SurfaceCheck check = CheckSurface(MeshOf(filter->GetOutput()));
-    EXPECT_EQ(check.Components, data.Components);
-    EXPECT_EQ(check.TotalGenus(), data.Genus);
-    const auto deviation = MeasureDeviation(filter->GetOutput(), truth, 20000);
-    ASSERT_TRUE(deviation);
-    const double* bounds = truth->GetBounds();
-    EXPECT_LT(deviation->RootMeanSquare, 0.06 * (bounds[5] - bounds[4]) / 20.0);
+    filter->SetInputConnection(axis, slicer->GetOutputPort(axis));
   }
+  filter->Update();
+  const SurfaceCheck check = CheckSurface(MeshOf(filter->GetOutput()));
+  EXPECT_EQ(check.Components, data.Components);
+  EXPECT_EQ(check.TotalGenus(), data.Genus);
+  const auto deviation = MeasureDeviation(filter->GetOutput(), truth, 20000);
+  ASSERT_TRUE(deviation);
+  const double* bounds = truth->GetBounds();
+  EXPECT_LT(deviation->RootMeanSquare, 0.06 * (bounds[5] - bounds[4]) / 20.0);
 }
 
 //----------------------------------------------------------------------------

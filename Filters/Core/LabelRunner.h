@@ -134,8 +134,8 @@ private:
   void ImproveTriangles();
   std::vector<Index> ListRead() const;
   double Thickness() const;
-  /// Points as they are in contours that were rounded to multiples of a quantum, if it is not 0.
   void AddJunctions(const std::set<Point3>& junctions);
+  /// Points as they are in contours that were rounded to multiples of a quantum, if it is not 0.
   static std::set<Point3> RoundAll(const std::set<Point3>& points, double quantum);
 
   std::vector<SortedSlices>& Labels;

@@ -254,14 +254,18 @@ bool SparseRunner::RunAgain(SecondSurface&& second)
     const SurfaceTopology found = again.Result.Topology;
     const bool isRight = second.IsRight(found), isTaken = isRight && !(second.Like && attempt > 0);
     const bool goesOn = !isRight && RemoveMended(again.OfVirtual, again.Result.Grid, second.Added);
-    TakeReport(first, leftOut, again.Result);
-    again.Result.Guiding = second.Guiding;
+    const bool isLike = second.Like && found.Components == second.Like->Components;
+    if (isTaken || isLike)
+    {
+      TakeReport(first, leftOut, again.Result);
+      again.Result.Guiding = second.Guiding;
+    }
     if (isTaken)
     {
       first = std::move(again.Result);
       return true;
     }
-    if (second.Like && found.Components == second.Like->Components)
+    if (isLike)
     {
       this->KeepNearest(std::move(again.Result), std::abs(found.Genus - second.Like->Genus));
     }

@@ -15,7 +15,7 @@ namespace orthoslices
 class DisjointSets
 {
 public:
-  explicit DisjointSets(Index count)
+  explicit DisjointSets(Index count = 0)
     : Parent(count)
   {
     std::iota(this->Parent.begin(), this->Parent.end(), 0);
@@ -23,6 +23,9 @@ public:
 
   /// How many numbers there are.
   Index Count() const { return static_cast<Index>(this->Parent.size()); }
+
+  /// One number more, in a set of its own.
+  void Add() { this->Parent.push_back(this->Count()); }
 
   /// The least number of the set of i.
   Index Find(Index i)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Labels/SidesOnPlanes.h"
 
+#include "Core/Base/DisjointSets.h"
 #include "Core/Base/Vectors.h"
 #include "Core/Labels/SliceMembers.h"
 
@@ -62,11 +63,14 @@ private:
     double Below = 0.0, Above = 0.0; ///< lengths that agree with the slice on the plane if there
   };
 
+  int AxisAcross() const
+  {
+    return this->Across == 0 ? FirstAxis(this->Own.first) : SecondAxis(this->Own.first);
+  }
   double PlaneAt(double coordinate) const;
   void AddSides(const Contours& contours, Index structure, Index contour);
   void AddSide(Index structure, const Point2& from, const Point2& to, double plane);
   bool IsDrawn(Index structure, double plane, double along) const;
-  Index Root(Index chain) const;
   Index ChainOf(const Point2& vertex, double plane);
 
   const SpatialGrid& Grid;
@@ -76,22 +80,21 @@ private:
   const Slice Own;
   int Across = 0; ///< the coordinate in the slice
   std::vector<Chain> Chains;
-  std::vector<Index> Parents;       ///< of chains that have become one with others
+  DisjointSets Joined;              ///< chains that have become one; the first one has the lengths
   std::map<Point2, Index> Vertices; ///< their chains
 };
 
 /// The plane that a coordinate is on; NaN if there is none.
 double SideSettler::PlaneAt(double coordinate) const
 {
-  const int axis = this->Across == 0 ? FirstAxis(this->Own.first) : SecondAxis(this->Own.first);
-  const std::vector<double>& planes = this->Grid.Planes[axis];
+  const std::vector<double>& planes = this->Grid.Planes[this->AxisAcross()];
   const auto next = std::lower_bound(planes.begin(), planes.end(), coordinate - this->Thickness);
   return next != planes.end() && *next <= coordinate + this->Thickness ? *next : std::nan("");
 }
 
 bool SideSettler::IsDrawn(Index structure, double plane, double along) const
 {
-  const int axis = this->Across == 0 ? FirstAxis(this->Own.first) : SecondAxis(this->Own.first);
+  const int axis = this->AxisAcross();
   const auto slice = this->Slices.find({ axis, plane });
   if (slice == this->Slices.end())
   {
@@ -109,24 +112,15 @@ bool SideSettler::IsDrawn(Index structure, double plane, double along) const
   return turns > 0;
 }
 
-Index SideSettler::Root(Index chain) const
-{
-  while (this->Parents[chain] != chain)
-  {
-    chain = this->Parents[chain];
-  }
-  return chain;
-}
-
 Index SideSettler::ChainOf(const Point2& vertex, double plane)
 {
   const auto [at, isNew] = this->Vertices.emplace(vertex, static_cast<Index>(this->Chains.size()));
   if (isNew)
   {
-    this->Parents.push_back(at->second);
+    this->Joined.Add();
     this->Chains.push_back({ plane });
   }
-  return this->Root(at->second);
+  return this->Joined.Find(at->second);
 }
 
 void SideSettler::AddSide(Index structure, const Point2& from, const Point2& to, double plane)
@@ -135,9 +129,9 @@ void SideSettler::AddSide(Index structure, const Point2& from, const Point2& to,
   const double length = to[along] - from[along];
   const bool isAbove = (length > 0.0) == (this->Across == 1); // the interior, on the left
   const bool isDrawn = this->IsDrawn(structure, plane, 0.5 * (from[along] + to[along]));
-  const Index chain = this->ChainOf(from, plane), other = this->ChainOf(to, plane);
-  this->Parents[other] = chain;
-  if (chain != other)
+  const Index one = this->ChainOf(from, plane), two = this->ChainOf(to, plane);
+  const Index chain = std::min(one, two), other = std::max(one, two);
+  if (this->Joined.Unite(chain, other))
   {
     this->Chains[chain].Below += this->Chains[other].Below;
     this->Chains[chain].Above += this->Chains[other].Above;
@@ -169,11 +163,11 @@ std::map<Point2, double> SideSettler::Run(int across)
   {
     this->AddSides(*this->Structures[member.Structure], member.Structure, member.Contour);
   }
-  const int axis = across == 0 ? FirstAxis(this->Own.first) : SecondAxis(this->Own.first);
+  const int axis = this->AxisAcross();
   std::map<Point2, double> moved;
   for (const auto& [vertex, number] : this->Vertices)
   {
-    const Chain& chain = this->Chains[this->Root(number)];
+    const Chain& chain = this->Chains[this->Joined.Find(number)];
     const bool isBelow = vertex[across] < chain.Plane;
     if (chain.Below > chain.Above && !isBelow)
     {
